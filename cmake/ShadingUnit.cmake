@@ -1,0 +1,85 @@
+# One unit = one name in five places. Both functions stop the configure step when a file is missing,
+# so that a unit is never half there.
+#
+#   add_shading_unit(NAME name GROUP group)      RTL, model, pins, test, doc page
+#   add_model_unit(NAME name GROUP group)        model, test, doc page: its RTL twin does not exist yet
+#
+# The group is the folder: rtl/<group>, model/<group>, tests/unit/<group>, docs/units/<group>.
+# GROUP top stands for the folders themselves.
+include(GoogleTest)
+
+set(SHADING_RTL_PACKAGES
+  ${PROJECT_SOURCE_DIR}/rtl/pkg/fixed_pkg.sv
+  ${PROJECT_SOURCE_DIR}/rtl/pkg/shading_pkg.sv)
+set(SHADING_RTL_FOLDERS
+  -y ${PROJECT_SOURCE_DIR}/rtl/raster
+  -y ${PROJECT_SOURCE_DIR}/rtl/intensity)
+
+# verilate_unit(TARGET t TOP module [PARAMETERS -GName=value...]): a static library whose class is
+# named after the target. Every configuration is verilated once and shared by programs and tests.
+function(verilate_unit)
+  cmake_parse_arguments(V "" "TARGET;TOP;SOURCE" "PARAMETERS" ${ARGN})
+  add_library(${V_TARGET} STATIC)
+  set(coverage)
+  if(SHADESIM_COVERAGE)
+    set(coverage COVERAGE)
+  endif()
+  verilate(${V_TARGET} ${coverage} TRACE_FST
+    PREFIX ${V_TARGET}
+    TOP_MODULE ${V_TOP}
+    SOURCES ${PROJECT_SOURCE_DIR}/rtl/lint.vlt ${SHADING_RTL_PACKAGES} ${V_SOURCE}
+    VERILATOR_ARGS -Wall --assert -O3 --x-assign fast --x-initial fast --noassert-case
+      ${SHADING_RTL_FOLDERS} ${V_PARAMETERS})
+endfunction()
+
+function(require_unit_files)
+  foreach(file IN LISTS ARGN)
+    if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${file})
+      message(FATAL_ERROR "a unit is incomplete: ${file} is missing")
+    endif()
+  endforeach()
+endfunction()
+
+function(unit_folder group out)
+  if(group STREQUAL "top")
+    set(${out} "" PARENT_SCOPE)
+  else()
+    set(${out} "${group}/" PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(add_unit_test name folder)
+  add_executable(${name}_test ${PROJECT_SOURCE_DIR}/tests/unit/${folder}${name}_test.cpp)
+  target_compile_options(${name}_test PRIVATE ${SHADESIM_WARNINGS})
+  target_link_libraries(${name}_test PRIVATE ${ARGN} shading_model shading_ideal
+    GTest::gtest_main)
+  gtest_discover_tests(${name}_test TEST_PREFIX unit. PROPERTIES LABELS unit TIMEOUT 300)
+endfunction()
+
+function(add_model_unit)
+  cmake_parse_arguments(UNIT "" "NAME;GROUP" "" ${ARGN})
+  unit_folder(${UNIT_GROUP} folder)
+  require_unit_files(
+    model/${folder}${UNIT_NAME}.h
+    tests/unit/${folder}${UNIT_NAME}_test.cpp
+    docs/units/${folder}${UNIT_NAME}.md)
+  add_unit_test(${UNIT_NAME} "${folder}")
+endfunction()
+
+function(add_shading_unit)
+  cmake_parse_arguments(UNIT "" "NAME;GROUP" "" ${ARGN})
+  unit_folder(${UNIT_GROUP} folder)
+  require_unit_files(
+    rtl/${folder}${UNIT_NAME}.sv
+    model/${folder}${UNIT_NAME}.h
+    tb/dut/${UNIT_NAME}_dut.h
+    tests/unit/${folder}${UNIT_NAME}_test.cpp
+    docs/units/${folder}${UNIT_NAME}.md)
+  if(UNIT_GROUP STREQUAL "top")
+    add_unit_test(${UNIT_NAME} "${folder}" shading_tb)
+    return()
+  endif()
+  verilate_unit(TARGET V${UNIT_NAME} TOP ${UNIT_NAME}
+    SOURCE ${PROJECT_SOURCE_DIR}/rtl/${folder}${UNIT_NAME}.sv)
+  add_unit_test(${UNIT_NAME} "${folder}" V${UNIT_NAME})
+endfunction()

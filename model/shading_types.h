@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include "model/fixed/fixed.h"
+
+namespace shading {
+
+// Twins of the typedefs in rtl/pkg/shading_pkg.sv: what each number means.
+using Code = U<8, 0>;           // displayed intensity, round(255 I)
+using Intensity = U<8, 16>;     // node value in codes (255 = full scale), 16 fraction bits
+using IntensityAcc = S<9, 26>;  // intensity in codes for recurrences; wraps, see triangle_setup
+using Depth = U<0, 24>;         // [0, 1), smaller is nearer
+using DepthAcc = S<1, 38>;      // depth with 14 guard bits, for the step along a span
+
+inline constexpr int kChannels = 3;  // red, green, blue
+inline constexpr int kMaxScreen = 4096;
+
+// How a triangle is shaded. The value is the bit of the method in the RTL parameter Methods.
+enum class Method { kFlat = 0, kGouraud = 1, kQuad = 2 };
+inline constexpr std::array<Method, 3> kAllMethods = {Method::kFlat, Method::kGouraud,
+                                                      Method::kQuad};
+inline constexpr std::string_view Name(Method method) {
+  constexpr std::array<std::string_view, 3> kNames = {"flat", "gouraud", "quad"};
+  return kNames[static_cast<size_t>(method)];
+}
+inline constexpr unsigned Bit(Method method) { return 1u << static_cast<unsigned>(method); }
+
+// I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes, one colour channel;
+// x, y in pixels from the triangle's origin. F carries the half code that makes truncation round.
+struct Surface {
+  IntensityAcc a, b, c, d, e, f;
+};
+
+// What the shading unit keeps for one triangle.
+struct TriangleState {
+  int origin_x = 0, origin_y = 0;  // pixel whose centre is x = y = 0
+  DepthAcc dz_dx;                  // depth step per pixel
+  std::array<Surface, kChannels> surface;
+};
+
+// A run of pixels of one triangle on one scanline.
+struct SpanCommand {
+  int x = 0, y = 0;  // first pixel, on the screen
+  int length = 0;    // pixels, 1..4096
+  DepthAcc z;        // depth at the first pixel's centre, plus half an ulp of Depth
+  bool last = false;  // last span of its triangle
+};
+
+// Row start, row start of the next pixel and differences of one channel: paper 003 (9), (3).
+struct ChannelSeed {
+  IntensityAcc first;       // I(0)
+  IntensityAcc second;      // I(1), used by quad_surface
+  IntensityAcc difference;  // I(1) - I(0), used by gouraud_interpolator
+  IntensityAcc curvature;   // 2A, used by quad_surface
+};
+
+// What span_setup hands to the pixel stage.
+struct SpanSeed {
+  int x = 0, y = 0, length = 0;
+  DepthAcc z, dz_dx;
+  std::array<ChannelSeed, kChannels> channel;
+};
+
+// One pixel as it leaves the shading unit.
+struct Pixel {
+  uint16_t x = 0, y = 0;
+  uint32_t z = 0;  // raw Depth
+  uint8_t r = 0, g = 0, b = 0;
+  uint8_t last = 0;  // last pixel of its span
+
+  friend bool operator==(const Pixel& a, const Pixel& b) {
+    return std::memcmp(&a, &b, sizeof(Pixel)) == 0;
+  }
+  friend bool operator!=(const Pixel& a, const Pixel& b) { return !(a == b); }
+};
+static_assert(sizeof(Pixel) == 12, "no padding: compared as bytes");
+
+// A pixel and the cycle, counted from the acceptance of its frame, in which it left.
+struct TimedPixel {
+  Pixel pixel;
+  int64_t cycle = 0;
+};
+
+}  // namespace shading
