@@ -28,7 +28,7 @@ function(verilate_unit)
     PREFIX ${V_TARGET}
     TOP_MODULE ${V_TOP}
     SOURCES ${PROJECT_SOURCE_DIR}/rtl/lint.vlt ${SHADING_RTL_PACKAGES} ${V_SOURCE}
-    VERILATOR_ARGS -Wall --assert -O3 --x-assign fast --x-initial fast --noassert-case
+    VERILATOR_ARGS -Wall --assert -O3 --x-assign fast --x-initial fast
       ${SHADING_RTL_FOLDERS} ${V_PARAMETERS})
 endfunction()
 

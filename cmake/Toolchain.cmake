@@ -20,8 +20,10 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(assimp REQUIRED)
-find_package(OpenImageIO REQUIRED)
 pkg_check_modules(systemc REQUIRED IMPORTED_TARGET systemc)
+# Through pkg-config: Debian's CMake package of OpenImageIO demands the headers of OpenCV.
+pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO)
+add_library(OpenImageIO::OpenImageIO ALIAS PkgConfig::openimageio)
 
 set(SHADESIM_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 

@@ -31,14 +31,14 @@ inline constexpr std::string_view Name(Method method) {
 inline constexpr unsigned Bit(Method method) { return 1u << static_cast<unsigned>(method); }
 
 // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes, one colour channel;
-// x, y in pixels from the triangle's origin. F carries the half code that makes truncation round.
+// x, y in pixels from the triangle's origin, -4095..4095. F carries the half code that makes truncation round.
 struct Surface {
   IntensityAcc a, b, c, d, e, f;
 };
 
 // What the shading unit keeps for one triangle.
 struct TriangleState {
-  int origin_x = 0, origin_y = 0;  // pixel whose centre is x = y = 0
+  int origin_x = 0, origin_y = 0;  // first pixel of its first span, where x = y = 0
   DepthAcc dz_dx;                  // depth step per pixel
   std::array<Surface, kChannels> surface;
 };

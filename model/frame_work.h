@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/shading_types.h"
+
+namespace shading {
+
+// Triangles that the front end drops, each for one reason.
+struct SkipCounts {
+  int64_t back_facing = 0;
+  int64_t degenerate = 0;  // zero area
+  int64_t off_screen = 0;  // bounding box outside the scissor
+  int64_t empty = 0;       // covers no pixel centre
+
+  int64_t total() const { return back_facing + degenerate + off_screen + empty; }
+};
+
+// One frame as it enters the shading unit: triangles in order, each followed by its spans.
+struct FrameWork {
+  Method method = Method::kFlat;
+  std::vector<TriangleState> triangles;
+  std::vector<uint32_t> packet;  // of each triangle: its index in the triangle list
+  std::vector<SpanCommand> spans;
+  int64_t pixels = 0;
+  SkipCounts skipped;
+};
+
+}  // namespace shading

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/shading_types.h"
+#include "model/unit_contract.h"
+
+namespace shading {
+
+// S9.26 -> U8.0 of an accumulator shifted to the top of 64 bits: truncate, clamp to 0..255.
+inline uint8_t ToCode(uint64_t aligned) {
+  constexpr int kShift = 64 - IntensityAcc::kWidth + IntensityAcc::kFraction;
+  const int64_t whole = static_cast<int64_t>(aligned) >> kShift;
+  return static_cast<uint8_t>(whole < 0 ? 0 : whole > Code::kMaxRaw ? Code::kMaxRaw : whole);
+}
+
+// An S9.26 register at the top of a 64-bit word: its wrap is then the machine's own.
+inline uint64_t Align(IntensityAcc value) {
+  return static_cast<uint64_t>(value.raw()) << (64 - IntensityAcc::kWidth);
+}
+
+// Bit-exact model of rtl/intensity/flat_color.sv: one channel of one span.
+//
+//   I(x) = F
+class FlatColor {
+ public:
+  static constexpr UnitContract kContract = {
+      "flat_color", "intensity", 1, 1, "seed S9.26", "code U8.0, truncate, clamp", 0, "any seed"};
+
+  explicit FlatColor(const ChannelSeed& seed) : code_(ToCode(Align(seed.first))) {}
+
+  uint8_t code() const { return code_; }
+  void Step() {}
+
+ private:
+  uint8_t code_;
+};
+
+}  // namespace shading

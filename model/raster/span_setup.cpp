@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/raster/span_setup.h"
+
+namespace shading {
+namespace {
+
+// Arithmetic of a 36-bit register: unsigned, so that wrapping is defined.
+uint64_t Bits(IntensityAcc value) { return static_cast<uint64_t>(value.raw()); }
+IntensityAcc Register(uint64_t bits) { return IntensityAcc::Wrap(static_cast<int64_t>(bits)); }
+
+ChannelSeed QuadSeed(const Surface& s, uint64_t x, uint64_t y) {
+  const uint64_t ax = Bits(s.a) * x;
+  const uint64_t row_x = ax + Bits(s.c) * y + Bits(s.d);
+  const uint64_t row_y = Bits(s.b) * y + Bits(s.e);
+  const uint64_t first = row_x * x + row_y * y + Bits(s.f);
+  const uint64_t difference = row_x + ax + Bits(s.a);
+  return {Register(first), Register(first + difference), Register(difference),
+          Register(2 * Bits(s.a))};
+}
+
+ChannelSeed GouraudSeed(const Surface& s, uint64_t x, uint64_t y) {
+  const uint64_t first = Bits(s.d) * x + Bits(s.e) * y + Bits(s.f);
+  return {Register(first), {}, s.d, {}};
+}
+
+}  // namespace
+
+SpanSeed SpanSetup::Seed(Method method, const TriangleState& triangle, const SpanCommand& span) {
+  SpanSeed seed;
+  seed.x = span.x;
+  seed.y = span.y;
+  seed.length = span.length;
+  seed.z = span.z;
+  seed.dz_dx = triangle.dz_dx;
+  const uint64_t x = static_cast<uint64_t>(span.x - triangle.origin_x);
+  const uint64_t y = static_cast<uint64_t>(span.y - triangle.origin_y);
+  for (size_t ch = 0; ch < kChannels; ++ch) {
+    const Surface& surface = triangle.surface[ch];
+    switch (method) {
+      case Method::kFlat: seed.channel[ch].first = surface.f; break;
+      case Method::kGouraud: seed.channel[ch] = GouraudSeed(surface, x, y); break;
+      case Method::kQuad: seed.channel[ch] = QuadSeed(surface, x, y); break;
+    }
+  }
+  return seed;
+}
+
+}  // namespace shading

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace shading {
+
+__extension__ typedef __int128 Int128;
+__extension__ typedef unsigned __int128 Uint128;
+
+// floor(n / d), d > 0.
+template <typename Int>
+constexpr Int FloorDivide(Int n, Int d) {
+  const Int quotient = n / d;
+  return n % d < 0 ? quotient - 1 : quotient;
+}
+
+// Nearest integer to n / d, halves up; d > 0.
+constexpr int64_t RoundDivide(Int128 n, int64_t d) {
+  return static_cast<int64_t>(FloorDivide<Int128>(2 * n + d, 2 * static_cast<Int128>(d)));
+}
+
+}  // namespace shading

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/flow_pattern.h"
+#include "model/shading_types.h"
+
+namespace shading {
+
+// When one span moves through the shading unit, in cycles from the acceptance of its frame.
+struct SpanTiming {
+  int64_t accepted = 0;     // the span command is taken
+  int64_t first_valid = 0;  // its first pixel is on offer
+  int64_t sink_rank = 0;    // pixel i leaves in the sink's willing cycle number sink_rank + i
+  int64_t last_left = 0;    // its last pixel leaves
+  int64_t setup = 0;        // cycles without a pixel on offer although the span is inside
+  int64_t stall = 0;        // cycles in which a pixel waits for the sink
+};
+
+// Exact cycles of rtl/shading_unit.sv, per span and not per cycle. Every stage is in order:
+//
+//   start = max(input on offer, stage free, room downstream)
+//
+//   span_setup     accepts in a, works in steps, sums in s, offers the seed from s + 1
+//   pixel_walker   takes the seed in t, offers the first pixel in t + 1
+//
+// The source pattern says in which cycles a new triangle or span command may appear; once on offer
+// it stays. The sink pattern says in which cycles pixels are taken.
+class ShadingClock {
+ public:
+  ShadingClock(Method method, FlowPattern source, FlowPattern sink);
+
+  void Triangle();  // the next triangle command; its spans follow
+  SpanTiming Span(int length, bool last);
+
+  const FlowPattern& sink() const { return sink_; }
+
+ private:
+  int64_t steps_;
+  FlowPattern source_;
+  FlowPattern sink_;
+
+  int64_t triangle_taken_ = 0;     // of the current triangle
+  int64_t triangle_released_ = 0;  // last step of the last span of the triangle before
+  int64_t span_taken_ = 0;         // of the span before, and so on
+  int64_t last_step_ = 0;
+  int64_t sum_ = 0;
+  int64_t seed_taken_ = 0;
+  int64_t last_left_ = 0;
+};
+
+}  // namespace shading

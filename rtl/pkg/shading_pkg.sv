@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Shared vocabulary of the shading unit: what each number means. fixed_pkg says how it is stored;
+// model/shading_types.h is the C++ twin. Screens reach 4096 x 4096 pixels.
+package shading_pkg;
+  import fixed_pkg::*;
+
+  localparam int unsigned Channels = 3;      // index 0 red, 1 green, 2 blue
+
+  typedef u8_0_t       code_t;               // displayed intensity, round(255 I)
+  typedef s9_26_t      intensity_acc_t;      // intensity in codes, for recurrences; sums wrap
+  typedef u0_24_t      depth_t;              // [0, 1), smaller is nearer
+  typedef s1_38_t      depth_acc_t;          // depth with 14 guard bits
+  typedef logic [11:0] coord_t;              // pixel column or row
+  typedef logic signed [12:0] offset_t;      // pixels from the triangle's origin, -4095..4095
+  typedef logic [12:0] span_length_t;        // pixels in one span, 1..4096
+
+  typedef enum logic [1:0] {
+    MethodFlat    = 2'd0,
+    MethodGouraud = 2'd1,
+    MethodQuad    = 2'd2
+  } method_e;
+
+  // Which methods a build contains: bit k stands for the method with value k.
+  localparam int unsigned NumMethods = 3;
+  typedef logic [NumMethods-1:0] methods_t;
+  localparam methods_t AllMethods = '1;
+
+  // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes; x and y in pixels from
+  // the triangle's origin. F carries the half code that makes truncation round to nearest.
+  typedef struct packed {
+    intensity_acc_t a;
+    intensity_acc_t b;
+    intensity_acc_t c;
+    intensity_acc_t d;
+    intensity_acc_t e;
+    intensity_acc_t f;
+  } surface_t;
+
+  typedef struct packed {
+    method_e method;
+  } frame_t;
+
+  typedef struct packed {
+    coord_t                  origin_x;       // first pixel of the first span
+    coord_t                  origin_y;
+    depth_acc_t              dz_dx;          // depth step per pixel
+    surface_t [Channels-1:0] surface;
+  } triangle_t;
+
+  typedef struct packed {
+    coord_t       x;                         // first pixel
+    coord_t       y;
+    span_length_t length;
+    depth_acc_t   z;                         // at the first pixel's centre, plus half a depth ulp
+    logic         last;                      // last span of its triangle
+  } span_t;
+
+  // Where a span lies: what the pixel walker needs.
+  typedef struct packed {
+    coord_t       x;
+    coord_t       y;
+    span_length_t length;
+    depth_acc_t   z;
+    depth_acc_t   dz_dx;
+  } run_t;
+
+  // Start of one channel along a span, paper 003 (9) and (3).
+  typedef struct packed {
+    intensity_acc_t first;                   // I(0)
+    intensity_acc_t second;                  // I(1)
+    intensity_acc_t difference;              // I(1) - I(0)
+    intensity_acc_t curvature;               // 2A
+  } channel_seed_t;
+
+  typedef struct packed {
+    run_t                         run;
+    channel_seed_t [Channels-1:0] channel;
+  } seed_t;
+
+  typedef struct packed {
+    coord_t x;
+    coord_t y;
+    depth_t z;
+    code_t  r;
+    code_t  g;
+    code_t  b;
+    logic   last;                            // last pixel of its span
+  } pixel_t;
+
+  // Performance counters of one frame, in cycles.
+  typedef struct packed {
+    logic [31:0] pixels;                     // a pixel left
+    logic [31:0] stall;                      // a pixel was on offer and not taken
+    logic [31:0] setup;                      // no pixel was on offer although a span was inside
+  } counters_t;
+
+  // S9.26 -> U8.0: truncates the fraction, clamps to 0..255.
+  function automatic code_t to_code(intensity_acc_t intensity);
+    if (intensity[35])      to_code = '0;
+    else if (intensity[34]) to_code = '1;
+    else                    to_code = intensity[33:26];
+  endfunction
+
+  // S1.38 -> U0.24: truncates the fraction, clamps to [0, 1).
+  function automatic depth_t to_depth(depth_acc_t z);
+    if (z[39])      to_depth = '0;
+    else if (z[38]) to_depth = '1;
+    else            to_depth = z[37:14];
+  endfunction
+endpackage

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/shading_types.h"
+#include "tb/bit_packer.h"
+
+namespace shading::tb {
+
+// Packed structs of shading_pkg.sv at Verilated ports. Fields go in from the lowest bits up, so the
+// last declared field comes first, and channel 0 before channel 1.
+
+inline constexpr int kCoordWidth = 12;
+inline constexpr int kLengthWidth = 13;
+
+template <typename Port>
+void DriveTriangle(const TriangleState& triangle, Port& port) {
+  BitPacker<23> bits;
+  for (const Surface& s : triangle.surface) {
+    for (const IntensityAcc value : {s.f, s.e, s.d, s.c, s.b, s.a}) bits.Put(value);
+  }
+  bits.Put(triangle.dz_dx);
+  bits.Put(triangle.origin_y, kCoordWidth);
+  bits.Put(triangle.origin_x, kCoordWidth);
+  bits.Store(port);
+}
+
+template <typename Port>
+void DriveSpan(const SpanCommand& span, Port& port) {
+  BitPacker<3> bits;
+  bits.Put(span.last, 1);
+  bits.Put(span.z);
+  bits.Put(span.length, kLengthWidth);
+  bits.Put(span.y, kCoordWidth);
+  bits.Put(span.x, kCoordWidth);
+  bits.Store(port);
+}
+
+template <typename Port>
+void DriveChannelSeed(const ChannelSeed& seed, Port& port) {
+  BitPacker<5> bits;
+  bits.Put(seed.curvature);
+  bits.Put(seed.difference);
+  bits.Put(seed.second);
+  bits.Put(seed.first);
+  bits.Store(port);
+}
+
+template <typename Port>
+void DriveRun(const SpanSeed& seed, Port& port) {
+  BitPacker<4> bits;
+  bits.Put(seed.dz_dx);
+  bits.Put(seed.z);
+  bits.Put(seed.length, kLengthWidth);
+  bits.Put(seed.y, kCoordWidth);
+  bits.Put(seed.x, kCoordWidth);
+  bits.Store(port);
+}
+
+template <typename Port>
+SpanSeed ReadSeed(const Port& port) {
+  BitReader<Port> bits(port);
+  SpanSeed seed;
+  for (ChannelSeed& channel : seed.channel) {
+    channel.curvature = bits.template TakeSigned<IntensityAcc>();
+    channel.difference = bits.template TakeSigned<IntensityAcc>();
+    channel.second = bits.template TakeSigned<IntensityAcc>();
+    channel.first = bits.template TakeSigned<IntensityAcc>();
+  }
+  seed.dz_dx = bits.template TakeSigned<DepthAcc>();
+  seed.z = bits.template TakeSigned<DepthAcc>();
+  seed.length = static_cast<int>(bits.Take(kLengthWidth));
+  seed.y = static_cast<int>(bits.Take(kCoordWidth));
+  seed.x = static_cast<int>(bits.Take(kCoordWidth));
+  return seed;
+}
+
+// pixel_t has 73 bits: last 0, b 8:1, g 16:9, r 24:17, z 48:25, y 60:49, x 72:61.
+template <typename Port>
+Pixel ReadPixel(const Port& port) {
+  const uint64_t low = port[0] | static_cast<uint64_t>(port[1]) << 32;
+  Pixel pixel;
+  pixel.last = static_cast<uint8_t>(low & 1);
+  pixel.b = static_cast<uint8_t>(low >> 1);
+  pixel.g = static_cast<uint8_t>(low >> 9);
+  pixel.r = static_cast<uint8_t>(low >> 17);
+  pixel.z = static_cast<uint32_t>(low >> 25) & 0xffffff;
+  pixel.y = static_cast<uint16_t>((low >> 49) & 0xfff);
+  pixel.x = static_cast<uint16_t>(((low >> 61) | static_cast<uint64_t>(port[2]) << 3) & 0xfff);
+  return pixel;
+}
+
+}  // namespace shading::tb

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <verilated.h>
+#include <verilated_fst_c.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+
+#include "tb/dut/pins.h"
+#include "tb/rtl_shading_unit.h"
+
+namespace shading::tb {
+
+// Pins of one build of shading_unit. Top is a Verilated class.
+template <typename Top>
+class ShadingUnitDut : public RtlShadingUnit {
+ public:
+  RtlResult Run(const FrameWork& work, const FlowPattern& source, const FlowPattern& sink,
+                PixelConsumer* consumer, const Observation& observation) override {
+    Reset(observation);
+    Feed feed{&work, &source};
+    Batch batch{consumer};
+    RtlResult result;
+    top_->frame_valid_i = 1;
+    top_->frame_i = static_cast<uint8_t>(work.method);
+    const int64_t patience = 4 * (source.longest_gap() + sink.longest_gap()) + 64;
+    int64_t deadline = patience;
+    for (int64_t cycle = 0; !result.finished && result.failure.empty(); ++cycle) {
+      top_->pixel_ready_i = sink.At(cycle);
+      Offer(&feed, cycle);
+      Phase(0, cycle);
+      const bool taken = Observe(&feed, &batch, cycle, &result);
+      if (taken) deadline = cycle + patience;
+      if (observation.probe_span >= 0) Probe(observation.probe_span, &result);
+      if (cycle == 0 && !top_->frame_ready_o) result.failure = "the unit is not empty after reset";
+      if (cycle > deadline) result.failure = Stuck(feed, cycle);
+      if (batch.stop) result.failure = "stopped by the consumer";
+      result.finished = cycle > 0 && feed.Done() && top_->frame_ready_o;
+      result.cycles = cycle;
+      Phase(1, cycle);
+      Withdraw();
+    }
+    batch.Flush();
+    trace_.reset();
+    result.counters = ReadCounters();
+    return result;
+  }
+
+ private:
+  // Commands still to be offered.
+  struct Feed {
+    const FrameWork* work;
+    const FlowPattern* source;
+    size_t triangle = 0, span = 0;
+    bool Done() const {
+      return triangle == work->triangles.size() && span == work->spans.size();
+    }
+  };
+
+  // Pixels on their way to the consumer.
+  struct Batch {
+    PixelConsumer* consumer;
+    size_t count = 0;
+    bool stop = false;
+    std::array<TimedPixel, 1024> pixels;
+
+    void Add(const TimedPixel& pixel) {
+      pixels[count++] = pixel;
+      if (count == pixels.size()) Flush();
+    }
+    void Flush() {
+      if (count > 0) stop |= !consumer->Consume(pixels.data(), count);
+      count = 0;
+    }
+  };
+
+  void Reset(const Observation& observation) {
+    context_ = std::make_unique<VerilatedContext>();
+    context_->traceEverOn(!observation.trace.empty());
+    top_ = std::make_unique<Top>(context_.get());
+    top_->rst_ni = 0;
+    top_->clk_i = 0;
+    top_->eval();
+    top_->clk_i = 1;
+    top_->eval();
+    top_->rst_ni = 1;
+    observation_ = observation;
+    loads_ = 0;
+    if (observation.trace.empty()) return;
+    trace_ = std::make_unique<VerilatedFstC>();
+    top_->trace(trace_.get(), 99);
+    trace_->open(observation.trace.c_str());
+  }
+
+  void Offer(Feed* feed, int64_t cycle) {
+    if (cycle == 0) return;
+    if (!top_->triangle_valid_i && feed->triangle < feed->work->triangles.size() &&
+        feed->source->At(cycle)) {
+      DriveTriangle(feed->work->triangles[feed->triangle], top_->triangle_i);
+      top_->triangle_valid_i = 1;
+    }
+    if (!top_->span_valid_i && feed->span < feed->work->spans.size() && feed->source->At(cycle)) {
+      DriveSpan(feed->work->spans[feed->span], top_->span_i);
+      top_->span_valid_i = 1;
+    }
+  }
+
+  // What the coming clock edge will transfer. A taken command leaves its port after the edge.
+  bool Observe(Feed* feed, Batch* batch, int64_t cycle, RtlResult* result) {
+    take_triangle_ = top_->triangle_valid_i && top_->triangle_ready_o;
+    take_span_ = top_->span_valid_i && top_->span_ready_o;
+    const bool take_pixel = top_->pixel_valid_o && top_->pixel_ready_i;
+    if (take_triangle_) ++feed->triangle;
+    if (take_span_) ++feed->span;
+    if (take_pixel) {
+      batch->Add({ReadPixel(top_->pixel_o), cycle});
+      ++result->pixels;
+    }
+    return take_triangle_ || take_span_ || take_pixel;
+  }
+
+  // Lets the logic settle at one clock level: 0 before the edge, 1 after it.
+  void Phase(uint8_t level, int64_t cycle) {
+    top_->clk_i = level;
+    top_->eval();
+    if (trace_ && cycle >= observation_.first && cycle <= observation_.last) {
+      trace_->dump(static_cast<uint64_t>(2 * cycle + level));
+    }
+  }
+
+  // Taken commands leave their ports.
+  void Withdraw() {
+    top_->frame_valid_i = 0;
+    if (take_triangle_) top_->triangle_valid_i = 0;
+    if (take_span_) top_->span_valid_i = 0;
+  }
+
+  void Probe(int64_t span, RtlResult* result) {
+    if (!top_->rootp->shading_unit__DOT__load) return;
+    if (loads_++ == span) result->probe = ReadSeed(top_->rootp->shading_unit__DOT__seed);
+  }
+
+  std::string Stuck(const Feed& feed, int64_t cycle) const {
+    return "nothing moved until cycle " + std::to_string(cycle) + ": " +
+           std::to_string(feed.triangle) + " of " + std::to_string(feed.work->triangles.size()) +
+           " triangles and " + std::to_string(feed.span) + " of " +
+           std::to_string(feed.work->spans.size()) + " spans taken";
+  }
+
+  Counters ReadCounters() const {
+    BitReader<decltype(top_->counters_o)> bits(top_->counters_o);
+    Counters counters;
+    counters.setup = static_cast<int64_t>(bits.Take(32));
+    counters.stall = static_cast<int64_t>(bits.Take(32));
+    counters.pixels = static_cast<int64_t>(bits.Take(32));
+    return counters;
+  }
+
+  std::unique_ptr<VerilatedContext> context_;
+  std::unique_ptr<Top> top_;
+  std::unique_ptr<VerilatedFstC> trace_;
+  bool take_triangle_ = false;
+  bool take_span_ = false;
+  int64_t loads_ = 0;  // seeds that the pixel walker took
+  Observation observation_;
+};
+
+}  // namespace shading::tb
