@@ -15,10 +15,11 @@ set(SHADING_RTL_FOLDERS
   -y ${PROJECT_SOURCE_DIR}/rtl/raster
   -y ${PROJECT_SOURCE_DIR}/rtl/intensity)
 
-# verilate_unit(TARGET t TOP module [PARAMETERS -GName=value...]): a static library whose class is
-# named after the target. Every configuration is verilated once and shared by programs and tests.
+# verilate_unit(TARGET t TOP module SOURCE file VISIBLE file.vlt [PARAMETERS -GName=value...]): a
+# static library whose class is named after the target; VISIBLE says which names C++ sees. Every
+# configuration is verilated once and shared by programs and tests.
 function(verilate_unit)
-  cmake_parse_arguments(V "" "TARGET;TOP;SOURCE" "PARAMETERS" ${ARGN})
+  cmake_parse_arguments(V "" "TARGET;TOP;SOURCE;VISIBLE" "PARAMETERS" ${ARGN})
   add_library(${V_TARGET} STATIC)
   set(coverage)
   if(SHADESIM_COVERAGE)
@@ -27,9 +28,14 @@ function(verilate_unit)
   verilate(${V_TARGET} ${coverage} TRACE_FST
     PREFIX ${V_TARGET}
     TOP_MODULE ${V_TOP}
-    SOURCES ${PROJECT_SOURCE_DIR}/rtl/lint.vlt ${SHADING_RTL_PACKAGES} ${V_SOURCE}
+    SOURCES ${PROJECT_SOURCE_DIR}/rtl/lint.vlt ${PROJECT_SOURCE_DIR}/rtl/${V_VISIBLE}
+      ${SHADING_RTL_PACKAGES} ${V_SOURCE}
     VERILATOR_ARGS -Wall --assert -O3 --x-assign fast --x-initial fast
       ${SHADING_RTL_FOLDERS} ${V_PARAMETERS})
+  # Generated and Verilator's own headers are not held to the project's warnings.
+  get_target_property(headers ${V_TARGET} INCLUDE_DIRECTORIES)
+  target_include_directories(${V_TARGET} SYSTEM INTERFACE ${headers})
+  target_link_libraries(${V_TARGET} PUBLIC ZLIB::ZLIB)
 endfunction()
 
 function(require_unit_files)
@@ -79,7 +85,7 @@ function(add_shading_unit)
     add_unit_test(${UNIT_NAME} "${folder}" shading_tb)
     return()
   endif()
-  verilate_unit(TARGET V${UNIT_NAME} TOP ${UNIT_NAME}
+  verilate_unit(TARGET V${UNIT_NAME} TOP ${UNIT_NAME} VISIBLE contract.vlt
     SOURCE ${PROJECT_SOURCE_DIR}/rtl/${folder}${UNIT_NAME}.sv)
   add_unit_test(${UNIT_NAME} "${folder}" V${UNIT_NAME})
 endfunction()

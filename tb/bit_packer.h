@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "model/fixed/fixed.h"
+#include "model/fixed/wide_integer.h"
 
 namespace shading::tb {
 
@@ -15,7 +16,7 @@ class BitPacker {
   void Put(int64_t value, int width) {
     const uint64_t bits = static_cast<uint64_t>(value) & ((uint64_t{1} << width) - 1);
     const int word = position_ / 32, shift = position_ % 32;
-    const unsigned __int128 wide = static_cast<unsigned __int128>(bits) << shift;
+    const Uint128 wide = static_cast<Uint128>(bits) << shift;
     for (int i = 0; i < 3 && word + i < kWords; ++i) {
       words_[word + i] |= static_cast<uint32_t>(wide >> (32 * i));
     }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/raster/wide_integer.h"
+#include "model/fixed/wide_integer.h"
 
 namespace shading {
 namespace {

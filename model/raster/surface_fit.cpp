@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/raster/surface_fit.h"
 
-#include "model/raster/wide_integer.h"
+#include "model/fixed/wide_integer.h"
 
 namespace shading {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/raster/wide_integer.h"
+#include "model/fixed/wide_integer.h"
 
 namespace shading {
 namespace {

@@ -36,12 +36,12 @@ SceneMaterial Brass() {
 
 Scene Mixed(int n) {
   Scene scene;
-  Append(Saddle(n), {1.6, -18, 12, {0.15, 0.1, -2.0}}, Brass(), &scene);
-  Append(Torus(2 * n), {0.85, 35, -55, {0.55, -0.25, 0.0}}, Plastic({0.10, 0.45, 0.40}, 0.05, 4),
+  Append(Saddle(n), {1.25, 25, -20, {0.15, 0.05, -0.75}}, Brass(), &scene);
+  Append(Torus(2 * n), {0.72, 35, -55, {0.55, -0.30, 0.25}}, Plastic({0.10, 0.45, 0.40}, 0.05, 4),
          &scene);
-  Append(Sphere(n), {0.75, 0, 0, {-0.75, 0.30, 0.35}}, Plastic({0.65, 0.08, 0.06}, 0.70, 120),
+  Append(Sphere(n), {0.62, 0, 0, {-0.62, 0.28, 0.25}}, Plastic({0.65, 0.08, 0.06}, 0.70, 120),
          &scene);
-  Append(Sphere(n), {0.38, 0, 0, {0.55, -0.15, 0.15}}, Plastic({0.12, 0.20, 0.60}, 0.45, 20),
+  Append(Sphere(n), {0.33, 0, 0, {0.55, -0.18, 0.40}}, Plastic({0.12, 0.20, 0.60}, 0.45, 20),
          &scene);
   return scene;
 }
@@ -58,7 +58,7 @@ Scene Build(std::string_view name, int n) {
   if (name == "torus") {
     return Single(Torus(n), {1, 20, -50, {}}, Plastic({0.08, 0.45, 0.30}, 0.45, 30));
   }
-  if (name == "saddle") return Single(Saddle(n), {1, -20, -25, {}}, Brass());
+  if (name == "saddle") return Single(Saddle(n), {1, 25, -35, {}}, Brass());
   return Mixed(n);
 }
 

@@ -21,7 +21,7 @@ inline constexpr std::array<BuiltinScene, 5> kBuiltinScenes = {{
     {"triangle", "one large triangle with tilted vertex normals, in N x N parts", 1, 1},
     {"sphere", "plastic sphere, N latitude bands of 2N quads", 16, 2},
     {"torus", "tilted torus, N rings of N sides", 32, 3},
-    {"saddle", "patch z = x y, N x N quads", 12, 1},
+    {"saddle", "patch z = x y / 2, N x N quads", 12, 1},
     {"mixed", "plastic and glossy spheres, matte torus, brass saddle; N as in sphere", 16, 3},
 }};
 

@@ -98,7 +98,7 @@ Scene Saddle(int n) {
     for (int i = 0; i <= n; ++i) {
       const double x = 2.0 * i / n - 1;
       const double y = 2.0 * j / n - 1;
-      scene.vertices.push_back({{x, y, x * y}, Normalize({-y, -x, 1})});
+      scene.vertices.push_back({{x, y, x * y / 2}, Normalize({-y / 2, -x / 2, 1})});
     }
   }
   for (int j = 0; j < n; ++j) {

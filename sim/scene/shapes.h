@@ -18,7 +18,7 @@ Scene Sphere(int n);
 // Circle of radius 1 about z, tube of radius 0.4: n >= 3 rings of n sides.
 Scene Torus(int n);
 
-// z = x y over [-1, 1]^2 in n x n quads, seen from +z.
+// z = x y / 2 over [-1, 1]^2 in n x n quads, seen from +z.
 Scene Saddle(int n);
 
 struct Placement {

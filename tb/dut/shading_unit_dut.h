@@ -22,7 +22,7 @@ class ShadingUnitDut : public RtlShadingUnit {
                 PixelConsumer* consumer, const Observation& observation) override {
     Reset(observation);
     Feed feed{&work, &source};
-    Batch batch{consumer};
+    Batch batch(consumer);
     RtlResult result;
     top_->frame_valid_i = 1;
     top_->frame_i = static_cast<uint8_t>(work.method);
@@ -62,6 +62,7 @@ class ShadingUnitDut : public RtlShadingUnit {
 
   // Pixels on their way to the consumer.
   struct Batch {
+    explicit Batch(PixelConsumer* to) : consumer(to) {}
     PixelConsumer* consumer;
     size_t count = 0;
     bool stop = false;

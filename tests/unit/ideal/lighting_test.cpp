@@ -56,6 +56,8 @@ TEST(IdealLight, ClampsCosinesAndSum) {
   material.specular = Colour(0.5, 0.5, 0.5);
   EXPECT_EQ(Light(frame).Shade({0, 0, 1.0009765625}, material)[0], 127.5);
   EXPECT_EQ(Light(frame).Shade({0, 0, -1}, material)[0], 0);
+  material.diffuse = Colour(0.25, 0.25, 0);
+  EXPECT_EQ(Light(frame).Shade({0, 0, 1.0009765625}, material)[0], 191.25);
   material.diffuse = Colour(1, 0.25, 0);
   EXPECT_EQ(Light(frame).Shade({0, 0, 1}, material), (Rgb{255, 191.25, 127.5}));
 }

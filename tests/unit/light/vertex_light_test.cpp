@@ -140,6 +140,22 @@ TEST(VertexLight, PhongReflectsAboutNormal) {
   EXPECT_NEAR(static_cast<double>(ShadeRaw(frame, light, material)), kFullCodes * 0.75, 8);
 }
 
+TEST(VertexLight, ReflectionIsRoundedOnce) {
+  // L = V, so that R.V = 2 (N.L)(N.V) - 1 and half an ulp of S1.30 is all that n = 256 magnifies.
+  const VertexLight light(Frame(kZ, kZ, Lighting::kPhong));
+  const Material material = {Grey(0), Grey(0), Grey(kFull), Exponent(256)};
+  std::mt19937 random(2);
+  double worst = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const Cosine n_dot_l = Cosine::FromRaw((1 << 30) - static_cast<int64_t>(random() % 100000));
+    const Cosine n_dot_v = Cosine::FromRaw((1 << 30) - static_cast<int64_t>(random() % 100000));
+    const double ideal = 255 * std::pow(2 * n_dot_l.ToReal() * n_dot_v.ToReal() - 1, 256);
+    const auto actual = light.Shade({n_dot_l, n_dot_v}, material);
+    worst = std::max(worst, ErrorUlps(actual, {ideal, ideal, ideal}));
+  }
+  EXPECT_LT(worst, 0.52 + 2.01);
+}
+
 TEST(VertexLight, ChannelsAreIndependent) {
   Material material;
   material.diffuse[1] = Reflectance::FromRaw(kFull / 2);
