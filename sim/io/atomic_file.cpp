@@ -16,10 +16,13 @@ namespace fs = std::filesystem;
   throw std::runtime_error(fmt::format("{}: {}", path, what));
 }
 
+bool StartsWith(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
+
 // /dev/stdout may lead to a regular file that the shell holds open: renaming would leave the shell
-// with the old one.
+// with the old one. /dev/shm holds ordinary files.
 bool IsBelowDev(const std::string& path) {
-  return path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
+  return (StartsWith(path, "/dev/") && !StartsWith(path, "/dev/shm/")) ||
+         StartsWith(path, "/proc/");
 }
 
 // The file behind symbolic links, in a folder that exists.

@@ -79,6 +79,7 @@ class ShadingUnitDut : public RtlShadingUnit {
   };
 
   void Reset(const Observation& observation) {
+    top_.reset();  // before the context that it lives in
     context_ = std::make_unique<VerilatedContext>();
     context_->traceEverOn(!observation.trace.empty());
     top_ = std::make_unique<Top>(context_.get());

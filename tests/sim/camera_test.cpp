@@ -51,7 +51,9 @@ class CameraTest : public ::testing::TestWithParam<bool> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(Projection, CameraTest, ::testing::Values(false, true),
-                         [](const auto& projection) { return projection.param ? "persp" : "ortho"; });
+                         [](const auto& projection) {
+                           return projection.param ? "persp" : "ortho";
+                         });
 
 TEST_P(CameraTest, SphereFillsTheShorterSide) {
   for (const auto& [width, height] : {std::pair(640, 480), std::pair(300, 4000), std::pair(64, 64),
