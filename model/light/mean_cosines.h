@@ -29,7 +29,7 @@ class MeanCosines {
                                              "2 or 3 normals S1.22, cosines S1.30",
                                              "S1.30, round to nearest",
                                              2.5,
-                                             "unit vectors, |sum of normals| >= 1"};
+                                             "unit vectors, length of their sum >= 1"};
 
   template <size_t N>
   static std::optional<VertexCosines> Of(const std::array<Vector3, N>& normals,
