@@ -21,20 +21,24 @@ struct BoundingSphere {
   double radius = 0;
 };
 
-// About the centre of the bounding box: at most sqrt(3) times the smallest sphere, and as small as
-// possible for anything that reaches as far on both sides of its centre.
-BoundingSphere Bound(const std::vector<SceneVertex>& vertices) {
-  Vec3 low = vertices.front().position;
+// Of the triangles' vertices, about the centre of their bounding box: at most sqrt(3) times the
+// smallest sphere, and as small as possible for what reaches equally far to both sides.
+BoundingSphere Bound(const Scene& scene) {
+  const auto position = [&](int v) { return scene.vertices[static_cast<size_t>(v)].position; };
+  Vec3 low = position(scene.triangles.front().vertex[0]);
   Vec3 high = low;
-  for (const SceneVertex& v : vertices) {
-    low = {std::min(low.x, v.position.x), std::min(low.y, v.position.y),
-           std::min(low.z, v.position.z)};
-    high = {std::max(high.x, v.position.x), std::max(high.y, v.position.y),
-            std::max(high.z, v.position.z)};
+  for (const SceneTriangle& t : scene.triangles) {
+    for (const int v : t.vertex) {
+      const Vec3 p = position(v);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
   }
   BoundingSphere sphere{0.5 * low + 0.5 * high, 0};
-  for (const SceneVertex& v : vertices) {
-    sphere.radius = std::max(sphere.radius, Length(v.position - sphere.center));
+  for (const SceneTriangle& t : scene.triangles) {
+    for (const int v : t.vertex) {
+      sphere.radius = std::max(sphere.radius, Length(position(v) - sphere.center));
+    }
   }
   if (!(sphere.radius > 0)) sphere.radius = 1;  // a single point: any scale will do
   return sphere;
@@ -93,7 +97,7 @@ void CheckOptions(const ViewOptions& options) {
   if (!std::isfinite(options.yaw) || !std::isfinite(options.pitch)) {
     throw std::runtime_error("rotation: yaw and pitch must be finite numbers of degrees");
   }
-  if (!IsFinite(options.light) || !(Length(options.light) > 0)) {
+  if (const double length = Length(options.light); !std::isfinite(length) || !(length > 0)) {
     throw std::runtime_error(
         fmt::format("light {},{},{}: has no direction; give a vector of "
                     "finite numbers that are not all zero",
@@ -103,9 +107,7 @@ void CheckOptions(const ViewOptions& options) {
 
 FrameState MakeFrame(const Scene& scene, const ViewOptions& options) {
   const Vec3 view = {0, 0, 1};
-  const double largest =
-      std::max({std::abs(options.light.x), std::abs(options.light.y), std::abs(options.light.z)});
-  const Vec3 light = Normalize((1 / largest) * options.light);
+  const Vec3 light = Normalize(options.light);
   const Vec3 sum = light + view;
   if (Length(sum) < 1e-6) {
     throw std::runtime_error(
@@ -135,30 +137,40 @@ struct ScreenVertex {
   Vector3 n;
 };
 
+// Only what triangles use: a stray vertex may lie anywhere.
+std::vector<bool> UsedVertices(const Scene& scene) {
+  std::vector<bool> used(scene.vertices.size());
+  for (const SceneTriangle& t : scene.triangles) {
+    for (const int v : t.vertex) used[static_cast<size_t>(v)] = true;
+  }
+  return used;
+}
+
 std::vector<ScreenVertex> ProjectVertices(const Scene& scene, const ViewOptions& options) {
   const double yaw = options.yaw * kRadians;
   const double pitch = options.pitch * kRadians;
-  const BoundingSphere bounds = Bound(scene.vertices);
+  const BoundingSphere bounds = Bound(scene);
   const Projection project(options);
-  std::vector<ScreenVertex> screen;
-  screen.reserve(scene.vertices.size());
-  for (const SceneVertex& v : scene.vertices) {
+  const std::vector<bool> used = UsedVertices(scene);
+  std::vector<ScreenVertex> screen(scene.vertices.size());
+  for (size_t i = 0; i < screen.size(); ++i) {
+    if (!used[i]) continue;
+    const SceneVertex& v = scene.vertices[i];
     const Vec3 p = project(Rotate((1 / bounds.radius) * (v.position - bounds.center), yaw, pitch));
     // Also false for what is not a number; a pixel of room for the rounding.
     if (!(std::abs(p.x) < kGuardBand - 1 && std::abs(p.y) < kGuardBand - 1 && std::isfinite(p.z))) {
-      throw std::runtime_error(fmt::format(
-          "{}: vertex {} falls outside the screen's guard band of +-{} pixels; look for "
-          "coordinates that are not finite",
-          scene.name, screen.size(), kGuardBand));
+      throw std::runtime_error(
+          fmt::format("{}: vertex {} falls outside the screen's guard band of +-{} pixels; look "
+                      "for coordinates that are not finite",
+                      scene.name, i, kGuardBand));
     }
-    const double length = Length(v.normal);
-    if (!std::isfinite(length) || !(length > 0)) {
-      throw std::runtime_error(fmt::format("{}: vertex {} has no normal; recompute the normals",
-                                           scene.name, screen.size()));
+    if (!IsFinite(v.normal) || !(Length(v.normal) > 0)) {
+      throw std::runtime_error(
+          fmt::format("{}: vertex {} has no normal; recompute the normals", scene.name, i));
     }
-    screen.push_back({ScreenCoord::Round(p.x), ScreenCoord::Round(p.y),
-                      VertexDepth::Saturate(std::llround(std::ldexp(p.z, VertexDepth::kFraction))),
-                      RoundUnit(Rotate((1 / length) * v.normal, yaw, pitch))});
+    screen[i] = {ScreenCoord::Round(p.x), ScreenCoord::Round(p.y),
+                 VertexDepth::Saturate(std::llround(std::ldexp(p.z, VertexDepth::kFraction))),
+                 RoundUnit(Rotate(Normalize(v.normal), yaw, pitch))};
   }
   return screen;
 }

@@ -20,7 +20,10 @@ inline Vec3 Cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double Length(Vec3 v) { return std::hypot(v.x, v.y, v.z); }
-inline Vec3 Normalize(Vec3 v) { return (1 / Length(v)) * v; }
+inline Vec3 Normalize(Vec3 v) {
+  const double length = Length(v);
+  return {v.x / length, v.y / length, v.z / length};
+}
 inline bool IsFinite(Vec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

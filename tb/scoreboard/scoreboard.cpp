@@ -32,7 +32,7 @@ bool Scoreboard::Consume(const TimedPixel* pixels, size_t count) {
     if (++index_ == length_) {
       ++verdicts_.spans_compared;
       verdicts_.cycle_mismatches += cycle_differs_;
-      if (recorded_) recorded_->push_back(timing_);
+      if (records_) records_->push_back({timing_, pixels[i].cycle});
     }
   }
   return true;

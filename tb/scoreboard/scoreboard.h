@@ -41,6 +41,12 @@ struct Verdicts {
   }
 };
 
+// One span as it went through.
+struct SpanRecord {
+  SpanTiming model;
+  int64_t rtl_last_left = 0;
+};
+
 // Compares every pixel that leaves the RTL with the model: position, depth, colour, order and
 // cycle. The model runs beside the simulation, one span at a time.
 class Scoreboard : public PixelConsumer {
@@ -54,8 +60,8 @@ class Scoreboard : public PixelConsumer {
   // Ends the comparison; also compares the hardware's counters.
   const Verdicts& Finish(const RtlResult& result);
 
-  // Timing of every span so far, as model and RTL agree on it; recorded when asked for.
-  void RecordSpans(std::vector<SpanTiming>* spans) { recorded_ = spans; }
+  // Appends a record for each span from now on.
+  void RecordSpans(std::vector<SpanRecord>* records) { records_ = records; }
 
  private:
   void NextSpan();
@@ -71,7 +77,7 @@ class Scoreboard : public PixelConsumer {
   size_t next_span_ = 0;
   size_t next_triangle_ = 0;
   bool triangle_open_ = false;
-  std::vector<SpanTiming>* recorded_ = nullptr;
+  std::vector<SpanRecord>* records_ = nullptr;
   Verdicts verdicts_;
 };
 

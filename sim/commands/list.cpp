@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "model/contracts.h"
+#include "sim/commands/commands.h"
+#include "sim/io/atomic_file.h"
+#include "sim/scene/builtin.h"
+
+namespace shading::sim {
+namespace {
+
+constexpr const char* kMethodText[] = {
+    "one colour per triangle: light of the mean of its normals",
+    "linear interpolation of the vertices' intensities",
+    "second-order surface through six nodes, paper 003 (5): I(x+2) = 2 I(x+1) - I(x) + 2A"};
+
+void PrintTables() {
+  fmt::print("Methods\n");
+  for (const Method method : kAllMethods) {
+    fmt::print("  {:8} {} ({} products per span and channel, none per pixel)\n", Name(method),
+               kMethodText[static_cast<size_t>(method)],
+               method == Method::kFlat ? 0 : SpanSetup::Steps(method));
+  }
+  fmt::print(
+      "\nUnits: latency and initiation interval in cycles (0: not in hardware yet), "
+      "error bound in ulp of the output\n");
+  for (const UnitContract& unit : kContracts) {
+    fmt::print("  {:20} {:9} latency {} interval {} error <= {:<8.3g} in: {}; out: {}\n", unit.name,
+               unit.group, unit.latency_cycles, unit.interval_cycles, unit.max_error_ulp,
+               unit.input, unit.output);
+  }
+  fmt::print("\nBuilt-in scenes: builtin:NAME or builtin:NAME:N\n");
+  for (const BuiltinScene& scene : kBuiltinScenes) {
+    fmt::print("  {:8} N = {:<3} {}\n", scene.name, scene.default_n, scene.description);
+  }
+}
+
+void WriteTables(const std::string& path) {
+  nlohmann::ordered_json json;
+  for (const Method method : kAllMethods) {
+    json["methods"].push_back(
+        {{"name", Name(method)}, {"description", kMethodText[static_cast<size_t>(method)]}});
+  }
+  for (const UnitContract& unit : kContracts) {
+    json["units"].push_back({{"name", unit.name},
+                             {"group", unit.group},
+                             {"latency_cycles", unit.latency_cycles},
+                             {"interval_cycles", unit.interval_cycles},
+                             {"input", unit.input},
+                             {"output", unit.output},
+                             {"max_error_ulp", unit.max_error_ulp},
+                             {"valid_for", unit.valid_for}});
+  }
+  for (const BuiltinScene& scene : kBuiltinScenes) {
+    json["scenes"].push_back(
+        {{"name", scene.name}, {"description", scene.description}, {"default_n", scene.default_n}});
+  }
+  AtomicFile file(path);
+  file.stream() << json.dump(2) << '\n';
+  file.Commit();
+}
+
+}  // namespace
+
+int List(const Options& options) {
+  if (options.json.empty()) {
+    PrintTables();
+  } else {
+    WriteTables(options.json);
+  }
+  return 0;
+}
+
+}  // namespace shading::sim

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "model/raster/front_end.h"
+#include "sim/commands/commands.h"
+#include "sim/parallel.h"
+#include "sim/progress.h"
+#include "sim/simulate.h"
+
+namespace shading::sim {
+namespace {
+
+constexpr const char* kEngineName[] = {"model", "rtl", "ideal"};
+
+RunStats Simulate(const FrameWork& work, const Options& options, FrameBuffer* picture) {
+  PictureConsumer consumer(work, picture);
+  if (options.engine == Engine::kRtl) {
+    return RunRtl(work, options.Sink(), options.trace, &consumer);
+  }
+  return RunModel(work, options.Sink(), &consumer);
+}
+
+RunStats RenderOne(const Frame& frame, Method method, const Options& options,
+                   const std::string& path) {
+  const FrameWork work = FrontEnd::Run(frame.list, method);
+  FrameBuffer picture(frame.list.frame.width, frame.list.frame.height);
+  RunStats stats = Simulate(work, options, &picture);
+  // The ideal engine takes coverage and depth from the model, whose edges are exact.
+  if (options.engine == Engine::kIdeal) ShadeIdeally(frame.list, method, &picture);
+  Describe(frame, work, kEngineName[static_cast<int>(options.engine)], &stats);
+  stats.phong_error = ErrorAgainstPhong(picture, frame.list);
+  stats.closed_form_error = ErrorAgainstClosedForm(picture, frame.list, method);
+  WriteImage(path, picture.ToImage());
+  return stats;
+}
+
+// image.png, or image-SCENE-METHOD.png with as much of it as tells the pictures apart.
+std::string PictureName(const Options& options, size_t scene, Method method) {
+  namespace fs = std::filesystem;
+  const fs::path path(options.image);
+  std::string stem = path.stem().string();
+  if (options.scenes.size() > 1) {
+    std::string name = fs::path(options.scenes[scene]).stem().string();
+    for (char& c : name) c = c == ':' || c == '/' ? '-' : c;
+    stem += fmt::format("-{}-{}", scene + 1, name);
+  }
+  if (!options.OneMethod()) stem += fmt::format("-{}", Name(method));
+  return (path.parent_path() / (stem + path.extension().string())).string();
+}
+
+}  // namespace
+
+int Render(const Options& options) {
+  CheckImageExtension(options.image);
+  const std::vector<Frame> frames = LoadFrames(options);
+  const size_t methods = options.methods.size();
+  std::vector<RunStats> runs(frames.size() * methods);
+  std::vector<std::string> pictures(runs.size());
+  {
+    Progress progress("render", static_cast<int64_t>(runs.size()), options.quiet);
+    ParallelFor(options.jobs, static_cast<int>(runs.size()), [&](int i) {
+      const auto at = static_cast<size_t>(i);
+      const Method method = options.methods[at % methods];
+      pictures[at] = PictureName(options, at / methods, method);
+      runs[at] = RenderOne(frames[at / methods], method, options, pictures[at]);
+      progress.Step();
+    });
+  }
+  if (!options.json.empty()) WriteJson(options.json, runs);
+  if (options.quiet) return 0;
+  for (size_t i = 0; i < runs.size(); ++i) {
+    fmt::print("{}\n  picture: {}\n", Summary(runs[i]), pictures[i]);
+  }
+  return 0;
+}
+
+}  // namespace shading::sim

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+namespace shading::sim {
+namespace {
+
+// What the parser fills as text and Finish() turns into Options.
+struct Words {
+  std::string method = "quad", size, rotate, light, camera = "ortho";
+  int lanes = 1;
+  double tolerance = 0.5;
+};
+
+[[noreturn]] void Refuse(const std::string& what) { throw CLI::ValidationError(what); }
+
+// "A,B,.." or "AxB": exactly `count` numbers.
+std::vector<double> Numbers(const std::string& option, const std::string& text, char separator,
+                            size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& part : CLI::detail::split(text, separator)) {
+    double value = 0;
+    if (!CLI::detail::lexical_cast(part, value)) break;
+    numbers.push_back(value);
+  }
+  if (numbers.size() != count) {
+    Refuse(fmt::format("{} takes {} numbers separated by '{}', not '{}'", option, count, separator,
+                       text));
+  }
+  return numbers;
+}
+
+void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
+  const auto view = [o](CLI::Option* option) {
+    option->each([o](const std::string&) { o->view_given = true; });
+  };
+  command->add_option("SCENE", o->scenes,
+                      "mesh file, builtin:NAME[:N] (see shadesim list), or .jsonl of packets");
+  command->add_option("--method", w->method, "flat, gouraud, quad or all")->capture_default_str();
+  view(command->add_option("--size", w->size, "picture WxH, 1..4096 each (640x480)"));
+  view(command->add_option("--camera", w->camera, "ortho or persp")
+           ->check(CLI::IsMember({"ortho", "persp"})));
+  view(command->add_option("--rotate", w->rotate, "YAW,PITCH in degrees"));
+  view(command->add_option("--light", w->light, "X,Y,Z towards the light: right, up, to viewer"));
+  const std::map<std::string, Lighting> lighting = {{"blinn", Lighting::kBlinn},
+                                                    {"phong", Lighting::kPhong}};
+  view(command->add_option("--lighting", o->view.lighting, "specular cosine: blinn or phong")
+           ->transform(CLI::Transformer(lighting).description(""))
+           ->option_text("blinn|phong"));
+  const std::map<std::string, Cull> cull = {{"back", Cull::kBack}, {"none", Cull::kNone}};
+  view(command->add_option("--cull", o->view.cull, "back or none")
+           ->transform(CLI::Transformer(cull).description(""))
+           ->option_text("back|none"));
+  command->add_option("--lanes", w->lanes, "pixels per cycle: 1")->check(CLI::IsMember({1}));
+  command->add_option("--tolerance", w->tolerance,
+                      "LSB that an adaptive method may spend; flat, gouraud and quad spend none")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--triangles-out", o->triangles_out, "write the packets, .jsonl");
+}
+
+void AddRunOptions(CLI::App* command, Options* o) {
+  command->add_option("--backpressure", o->backpressure,
+                      "none, quarter, random, bits such as 110100, or a file of bits");
+  command->add_option("--seed", o->seed, "seed of random patterns and triangles")
+      ->capture_default_str();
+  command->add_option("--trace", o->trace, "write a waveform, .fst (one scene, one method)");
+  command->add_option("--json", o->json, "write the numbers");
+  command->add_option("--jobs", o->jobs, "threads")->capture_default_str()->check(
+      CLI::Range(1, 256));
+  command->add_flag("--quiet", o->quiet, "print errors only");
+}
+
+std::vector<Method> Methods(const std::string& word) {
+  if (word == "all") return {kAllMethods.begin(), kAllMethods.end()};
+  for (const Method method : kAllMethods) {
+    if (word == Name(method)) return {method};
+  }
+  Refuse(fmt::format("unknown method '{}': take flat, gouraud, quad or all", word));
+}
+
+void Finish(const Words& w, Options* o) {
+  o->methods = Methods(w.method);
+  o->view.perspective = w.camera == "persp";
+  if (!w.size.empty()) {
+    const auto size = Numbers("--size", w.size, 'x', 2);
+    for (const double side : size) {
+      if (side != std::floor(side) || side < 1 || side > kMaxScreen) {
+        Refuse(fmt::format("--size takes WxH from 1x1 to {0}x{0}, not '{1}'", kMaxScreen, w.size));
+      }
+    }
+    o->view.width = static_cast<int>(size[0]);
+    o->view.height = static_cast<int>(size[1]);
+  }
+  if (!w.rotate.empty()) {
+    const auto angle = Numbers("--rotate", w.rotate, ',', 2);
+    o->view.yaw = angle[0];
+    o->view.pitch = angle[1];
+  }
+  if (!w.light.empty()) {
+    const auto light = Numbers("--light", w.light, ',', 3);
+    o->view.light = {light[0], light[1], light[2]};
+  }
+}
+
+void Check(const Options& o) {
+  if (o.command == Command::kList) return;
+  if (o.scenes.empty() && o.random == 0) {
+    Refuse(o.command == Command::kVerify ? "name a SCENE or --random N" : "name a SCENE");
+  }
+  if (!o.scenes.empty() && o.random > 0) Refuse("take a SCENE or --random N, not both");
+  const bool one_run = o.scenes.size() == 1 && o.OneMethod();
+  if (!o.trace.empty() && !one_run) Refuse("--trace takes one SCENE and one --method");
+  if (!o.trace.empty() && o.engine != Engine::kRtl) Refuse("--trace needs --engine rtl");
+  if (!o.triangles_out.empty() && o.scenes.size() != 1) Refuse("--triangles-out takes one SCENE");
+  o.Sink();
+}
+
+}  // namespace
+
+FlowPattern Options::Sink() const {
+  try {
+    if (backpressure == "none") return FlowPattern::Always();
+    if (backpressure == "quarter") return FlowPattern::OneInFour();
+    if (backpressure == "random") return FlowPattern::Random(seed);
+    std::ifstream file(backpressure);
+    if (!file) return FlowPattern::Recorded(backpressure);
+    std::string bits{std::istreambuf_iterator<char>(file), {}};
+    bits.erase(std::remove_if(bits.begin(), bits.end(),
+                              [](char c) { return std::isspace(static_cast<unsigned char>(c)); }),
+               bits.end());
+    return FlowPattern::Recorded(bits);
+  } catch (const std::invalid_argument& error) {
+    Refuse(fmt::format("--backpressure {}: {}", backpressure, error.what()));
+  }
+}
+
+std::optional<Options> ParseOptions(int argc, char** argv) {
+  Options o;
+  Words w;
+  o.jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
+  CLI::App app("Cycle-accurate hardware model of a Phong shading unit", "shadesim");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", SHADESIM_VERSION);
+
+  CLI::App* render = app.add_subcommand("render", "simulate and write a picture");
+  render->footer("Example: shadesim render builtin:mixed --method quad -o mixed.png");
+  AddSceneOptions(render, &o, &w);
+  render->add_option("-o,--output", o.image, "picture: .png, .exr, .tif ...")->required();
+  const std::map<std::string, Engine> engine = {
+      {"model", Engine::kModel}, {"rtl", Engine::kRtl}, {"ideal", Engine::kIdeal}};
+  render->add_option("--engine", o.engine, "who computes the pixels: model, rtl or ideal")
+      ->transform(CLI::Transformer(engine).description(""))
+      ->option_text("model|rtl|ideal");
+  AddRunOptions(render, &o);
+
+  CLI::App* verify = app.add_subcommand("verify", "compare the RTL with the model, bit and cycle");
+  verify->footer("Example: shadesim verify --random 20000 --method all --backpressure random");
+  AddSceneOptions(verify, &o, &w);
+  verify->add_option("--random", o.random, "random triangles instead of a scene")
+      ->check(CLI::Range(int64_t{1}, int64_t{1000000000}));
+  AddRunOptions(verify, &o);
+
+  CLI::App* cycles = app.add_subcommand("cycles", "count cycles per span and where they went");
+  cycles->footer("Example: shadesim cycles builtin:torus --method all --csv spans.csv");
+  AddSceneOptions(cycles, &o, &w);
+  cycles->add_option("--csv", o.csv, "write a line per span");
+  AddRunOptions(cycles, &o);
+
+  CLI::App* list = app.add_subcommand("list", "methods, units and built-in scenes");
+  list->footer("Example: shadesim list --json units.json");
+  list->add_option("--json", o.json, "write the tables");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    app.exit(asked);
+    return std::nullopt;
+  }
+  o.command = render->parsed()   ? Command::kRender
+              : verify->parsed() ? Command::kVerify
+              : cycles->parsed() ? Command::kCycles
+                                 : Command::kList;
+  Finish(w, &o);
+  Check(o);
+  return o;
+}
+
+}  // namespace shading::sim

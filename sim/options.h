@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/flow_pattern.h"
+#include "model/shading_types.h"
+#include "sim/scene/camera.h"
+
+namespace shading::sim {
+
+enum class Command { kRender, kVerify, kCycles, kList };
+enum class Engine { kModel, kRtl, kIdeal };
+
+struct Options {
+  Command command = Command::kList;
+  std::vector<std::string> scenes;
+  std::vector<Method> methods;
+  Engine engine = Engine::kRtl;
+  ViewOptions view;
+  bool view_given = false;  // an option that a packet file decides by itself
+  std::string backpressure = "none";
+  uint32_t seed = 1;
+  int64_t random = 0;  // triangles of verify --random
+  int jobs = 1;
+  bool quiet = false;
+  std::string image, trace, json, csv, triangles_out;
+
+  bool OneMethod() const { return methods.size() == 1; }
+  // In which cycles pixels are taken.
+  FlowPattern Sink() const;
+};
+
+// nullopt when the command line asked for help or the version, which are then printed. Throws
+// CLI::Error for what it cannot mean.
+std::optional<Options> ParseOptions(int argc, char** argv);
+
+}  // namespace shading::sim

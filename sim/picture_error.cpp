@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/picture_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "model/ideal/flat.h"
+#include "model/ideal/gouraud.h"
+#include "model/ideal/phong.h"
+#include "model/ideal/quadratic.h"
+
+namespace shading::sim {
+namespace {
+
+// Calls visit(pixel, ideal colour) for every covered pixel. A triangle is prepared once.
+template <typename Ideal, typename Visit>
+void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, const Visit& visit) {
+  std::vector<std::unique_ptr<Ideal>> prepared(list.triangles.size());
+  size_t at = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x, ++at) {
+      if (picture.triangle(at) == FrameBuffer::kNobody) continue;
+      const auto triangle = static_cast<size_t>(picture.triangle(at));
+      auto& ideal = prepared[triangle];
+      if (!ideal) ideal = std::make_unique<Ideal>(list.frame, list.triangles[triangle]);
+      visit(at, ideal::Clamped(ideal->At(x + 0.5, y + 0.5)));
+    }
+  }
+}
+
+template <typename Visit>
+void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, Method method,
+                  const Visit& visit) {
+  switch (method) {
+    case Method::kFlat: return ForEachPixel<ideal::Flat>(picture, list, visit);
+    case Method::kGouraud: return ForEachPixel<ideal::Gouraud>(picture, list, visit);
+    case Method::kQuad: return ForEachPixel<ideal::Quadratic>(picture, list, visit);
+  }
+}
+
+class ErrorSum {
+ public:
+  explicit ErrorSum(const FrameBuffer& picture) : picture_(picture) {}
+
+  void operator()(size_t at, const ideal::Rgb& exact) {
+    for (size_t ch = 0; ch < exact.size(); ++ch) {
+      const double error = std::abs(picture_.code(at)[ch] - exact[ch]);
+      max_ = std::max(max_, error);
+      squares_ += error * error;
+      ++count_;
+    }
+  }
+  PictureError Result() const {
+    const double rms = count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0;
+    return {max_, rms, 20 * std::log10(255 / rms)};
+  }
+
+ private:
+  const FrameBuffer& picture_;
+  double max_ = 0, squares_ = 0;
+  int64_t count_ = 0;
+};
+
+}  // namespace
+
+PictureError ErrorAgainstPhong(const FrameBuffer& picture, const TriangleList& list) {
+  ErrorSum sum(picture);
+  ForEachPixel<ideal::Phong>(picture, list,
+                             [&](size_t at, const ideal::Rgb& exact) { sum(at, exact); });
+  return sum.Result();
+}
+
+PictureError ErrorAgainstClosedForm(const FrameBuffer& picture, const TriangleList& list,
+                                    Method method) {
+  ErrorSum sum(picture);
+  ForEachPixel(picture, list, method,
+               [&](size_t at, const ideal::Rgb& exact) { sum(at, exact); });
+  return sum.Result();
+}
+
+void ShadeIdeally(const TriangleList& list, Method method, FrameBuffer* picture) {
+  ForEachPixel(*picture, list, method, [&](size_t at, const ideal::Rgb& exact) {
+    std::array<uint8_t, 3> code;
+    for (size_t ch = 0; ch < code.size(); ++ch) {
+      code[ch] = static_cast<uint8_t>(std::lround(exact[ch]));
+    }
+    picture->SetCode(at, code);
+  });
+}
+
+}  // namespace shading::sim

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/run_stats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "sim/io/atomic_file.h"
+
+namespace shading::sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double PerPixel(const RunStats& run) {
+  return run.counters.pixels > 0
+             ? static_cast<double>(run.cycles) / static_cast<double>(run.counters.pixels)
+             : 0;
+}
+
+double PixelsPerSecond(const RunStats& run) {
+  return run.sim_seconds > 0 ? static_cast<double>(run.counters.pixels) / run.sim_seconds : 0;
+}
+
+void PutError(const PictureError& error, const std::string& prefix, Json* json) {
+  (*json)[prefix + "max_error_lsb"] = error.max_lsb;
+  (*json)[prefix + "rms_error_lsb"] = error.rms_lsb;
+  // JSON has no infinity: null where the pictures agree.
+  (*json)[prefix + "psnr_db"] = std::isfinite(error.psnr_db) ? Json(error.psnr_db) : Json();
+}
+
+Json ToJson(const RunStats& run) {
+  Json json;
+  json["scene"] = run.scene;
+  json["method"] = run.method;
+  json["engine"] = run.engine;
+  json["width"] = run.width;
+  json["height"] = run.height;
+  json["triangles"] = run.triangles;
+  json["spans"] = run.spans;
+  json["pixels"] = run.counters.pixels;
+  if (run.engine != "ideal") {
+    json["cycles"] = run.cycles;
+    json["cycles_per_pixel"] = PerPixel(run);
+    json["setup_cycles"] = run.counters.setup;
+    json["stall_cycles"] = run.counters.stall;
+  }
+  json["skipped"] = {{"back_facing", run.skipped.back_facing},
+                     {"degenerate", run.skipped.degenerate},
+                     {"off_screen", run.skipped.off_screen},
+                     {"empty", run.skipped.empty}};
+  if (run.comparison) {
+    const Comparison& c = *run.comparison;
+    json["pixels_compared"] = c.pixels_compared;
+    json["pixels_expected"] = c.pixels_expected;
+    json["pixel_mismatches"] = c.pixel_mismatches;
+    json["spans_compared"] = c.spans_compared;
+    json["spans_expected"] = c.spans_expected;
+    json["cycle_mismatches"] = c.cycle_mismatches;
+    json["bad_frames"] = c.bad_frames;
+  }
+  if (run.phong_error) PutError(*run.phong_error, "", &json);
+  if (run.closed_form_error) PutError(*run.closed_form_error, "closed_form_", &json);
+  json["sim_seconds"] = run.sim_seconds;
+  json["pixels_per_second"] = PixelsPerSecond(run);
+  return json;
+}
+
+void KeepWorst(const std::optional<PictureError>& other, std::optional<PictureError>* error) {
+  if (!other) return;
+  if (!*error || other->rms_lsb > (*error)->rms_lsb) {
+    const double max = *error ? std::max((*error)->max_lsb, other->max_lsb) : other->max_lsb;
+    *error = other;
+    (*error)->max_lsb = max;
+  } else {
+    (*error)->max_lsb = std::max((*error)->max_lsb, other->max_lsb);
+  }
+}
+
+}  // namespace
+
+void Comparison::Add(const tb::Verdicts& v) {
+  Comparison one{v.pixels_expected, v.pixels_compared, v.pixel_mismatches,
+                 v.spans_expected,  v.spans_compared,  v.cycle_mismatches,
+                 v.Good() ? 0 : 1};
+  Add(one);
+}
+
+void Comparison::Add(const Comparison& other) {
+  pixels_expected += other.pixels_expected;
+  pixels_compared += other.pixels_compared;
+  pixel_mismatches += other.pixel_mismatches;
+  spans_expected += other.spans_expected;
+  spans_compared += other.spans_compared;
+  cycle_mismatches += other.cycle_mismatches;
+  bad_frames += other.bad_frames;
+}
+
+void RunStats::AddWork(const FrameWork& work, int64_t packets) {
+  triangles += packets;
+  spans += static_cast<int64_t>(work.spans.size());
+  skipped.back_facing += work.skipped.back_facing;
+  skipped.degenerate += work.skipped.degenerate;
+  skipped.off_screen += work.skipped.off_screen;
+  skipped.empty += work.skipped.empty;
+}
+
+void RunStats::Add(const RunStats& other) {
+  triangles += other.triangles;
+  spans += other.spans;
+  cycles += other.cycles;
+  counters.pixels += other.counters.pixels;
+  counters.setup += other.counters.setup;
+  counters.stall += other.counters.stall;
+  skipped.back_facing += other.skipped.back_facing;
+  skipped.degenerate += other.skipped.degenerate;
+  skipped.off_screen += other.skipped.off_screen;
+  skipped.empty += other.skipped.empty;
+  sim_seconds += other.sim_seconds;
+  if (other.comparison) {
+    if (!comparison) comparison.emplace();
+    comparison->Add(*other.comparison);
+  }
+  KeepWorst(other.phong_error, &phong_error);
+  KeepWorst(other.closed_form_error, &closed_form_error);
+}
+
+void WriteJson(const std::string& path, const std::vector<RunStats>& runs) {
+  RunStats total;
+  total.scene = runs.size() == 1 ? runs[0].scene : "all";
+  total.engine = runs[0].engine;
+  total.method = runs[0].method;
+  total.width = runs[0].width;
+  total.height = runs[0].height;
+  for (const RunStats& run : runs) {
+    if (run.method != total.method) total.method = "all";
+    if (run.width != total.width || run.height != total.height) total.width = total.height = 0;
+    total.Add(run);
+  }
+  Json json = ToJson(total);
+  for (const RunStats& run : runs) json["runs"].push_back(ToJson(run));
+  AtomicFile file(path);
+  file.stream() << json.dump(2) << '\n';
+  file.Commit();
+}
+
+std::string Summary(const RunStats& run) {
+  std::string text = fmt::format("{} {} {}: {} triangles, {} spans, {} pixels", run.scene,
+                                 run.method, run.engine, run.triangles, run.spans,
+                                 run.counters.pixels);
+  if (run.engine != "ideal") {
+    text += fmt::format(", {} cycles ({:.3f} per pixel)", run.cycles, PerPixel(run));
+  }
+  if (run.skipped.total() > 0) {
+    text += fmt::format("\n  skipped {} triangles: {} back-facing, {} degenerate, {} off screen, {} empty",
+                        run.skipped.total(), run.skipped.back_facing, run.skipped.degenerate,
+                        run.skipped.off_screen, run.skipped.empty);
+  }
+  if (run.comparison) {
+    const Comparison& c = *run.comparison;
+    text += fmt::format(
+        "\n  compared {} of {} pixels: {} mismatches; {} of {} spans: {} cycle mismatches",
+        c.pixels_compared, c.pixels_expected, c.pixel_mismatches, c.spans_compared,
+        c.spans_expected, c.cycle_mismatches);
+  }
+  const auto error = [&](const char* ideal, const std::optional<PictureError>& e) {
+    if (!e) return;
+    text += fmt::format("\n  against {}: max {:.2f} LSB, RMS {:.2f} LSB, PSNR {:.1f} dB", ideal,
+                        e->max_lsb, e->rms_lsb, e->psnr_db);
+  };
+  error("Phong per pixel", run.phong_error);
+  error("its closed form", run.closed_form_error);
+  if (run.sim_seconds > 0) {
+    text += fmt::format("\n  {:.2f} s, {:.1f} M pixels/s", run.sim_seconds,
+                        PixelsPerSecond(run) / 1e6);
+  }
+  return text;
+}
+
+}  // namespace shading::sim

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "sim/commands/commands.h"
+#include "sim/options.h"
+
+namespace {
+
+constexpr int kBadInput = 2;
+
+int Run(const shading::sim::Options& options) {
+  switch (options.command) {
+    case shading::sim::Command::kRender: return shading::sim::Render(options);
+    case shading::sim::Command::kVerify: return shading::sim::Verify(options);
+    case shading::sim::Command::kCycles: return shading::sim::Cycles(options);
+    case shading::sim::Command::kList: return shading::sim::List(options);
+  }
+  return kBadInput;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const auto options = shading::sim::ParseOptions(argc, argv);
+    return options ? Run(*options) : 0;
+  } catch (const CLI::Error& error) {
+    fmt::print(stderr, "shadesim: {}; see shadesim --help\n", error.what());
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "shadesim: {}\n", error.what());
+  }
+  return kBadInput;
+}
