@@ -20,7 +20,9 @@ class ShadingUnitDut : public RtlShadingUnit {
  public:
   RtlResult Run(const FrameWork& work, const FlowPattern& source, const FlowPattern& sink,
                 PixelConsumer* consumer, const Observation& observation) override {
-    Reset(observation);
+    if (!clean_ || !observation.trace.empty()) Reset(observation);
+    clean_ = false;
+    loads_ = 0;
     Feed feed{&work, &source};
     Batch batch(consumer);
     RtlResult result;
@@ -35,16 +37,17 @@ class ShadingUnitDut : public RtlShadingUnit {
       const bool taken = Observe(&feed, &batch, cycle, &result);
       if (taken) deadline = cycle + patience;
       if (observation.probe_span >= 0) Probe(observation.probe_span, &result);
-      if (cycle == 0 && !top_->frame_ready_o) result.failure = "the unit is not empty after reset";
+      if (cycle == 0 && !top_->frame_ready_o) result.failure = "the unit was not empty when its frame came";
       if (cycle > deadline) result.failure = Stuck(feed, cycle);
       if (batch.stop) result.failure = "stopped by the consumer";
-      result.finished = cycle > 0 && feed.Done() && top_->frame_ready_o;
+      result.finished = cycle > 0 && !taken && feed.Done() && top_->frame_ready_o;
       result.cycles = cycle;
       Phase(1, cycle);
       Withdraw();
     }
     batch.Flush();
     trace_.reset();
+    clean_ = result.finished;
     result.counters = ReadCounters();
     return result;
   }
@@ -90,7 +93,6 @@ class ShadingUnitDut : public RtlShadingUnit {
     top_->eval();
     top_->rst_ni = 1;
     observation_ = observation;
-    loads_ = 0;
     if (observation.trace.empty()) return;
     trace_ = std::make_unique<VerilatedFstC>();
     top_->trace(trace_.get(), 99);
@@ -166,7 +168,8 @@ class ShadingUnitDut : public RtlShadingUnit {
   std::unique_ptr<VerilatedFstC> trace_;
   bool take_triangle_ = false;
   bool take_span_ = false;
-  int64_t loads_ = 0;  // seeds that the pixel walker took
+  bool clean_ = false;  // reset, and empty since
+  int64_t loads_ = 0;   // seeds that the pixel walker took
   Observation observation_;
 };
 

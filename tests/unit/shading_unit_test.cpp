@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/shading_unit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "model/raster/front_end.h"
+#include "tb/rtl_shading_unit.h"
+#include "tb/scoreboard/scoreboard.h"
+#include "tb/stimulus/random_triangles.h"
+
+namespace shading {
+namespace {
+
+constexpr int kFrames = 12;
+constexpr int kTriangles = 300;
+
+struct Flow {
+  const char* name;
+  FlowPattern source, sink;
+};
+
+std::vector<Flow> Flows() {
+  return {{"always", FlowPattern::Always(), FlowPattern::Always()},
+          {"sink one in four", FlowPattern::Always(), FlowPattern::OneInFour()},
+          {"sink random", FlowPattern::Always(), FlowPattern::Random(3)},
+          {"source one in four", FlowPattern::OneInFour(), FlowPattern::Always()},
+          {"both random", FlowPattern::Random(5), FlowPattern::Random(6)},
+          {"recorded", FlowPattern::Recorded("1110001"), FlowPattern::Recorded("00000000001111")}};
+}
+
+tb::Verdicts Compare(tb::RtlShadingUnit* rtl, const FrameWork& work, const Flow& flow) {
+  tb::Scoreboard scoreboard(work, flow.source, flow.sink);
+  const tb::RtlResult result = rtl->Run(work, flow.source, flow.sink, &scoreboard, {});
+  return scoreboard.Finish(result);
+}
+
+void ExpectGood(const tb::Verdicts& v, const std::string& where) {
+  EXPECT_TRUE(v.Good()) << where << ": " << v.failure << " pixels " << v.pixels_compared << " of "
+                        << v.pixels_expected << ", " << v.pixel_mismatches << " differ; spans "
+                        << v.spans_compared << " of " << v.spans_expected << ", "
+                        << v.cycle_mismatches << " in other cycles; counters "
+                        << v.counters_match;
+}
+
+class ShadingUnitMethod : public testing::TestWithParam<Method> {};
+
+TEST_P(ShadingUnitMethod, RtlMatchesModel) {
+  const auto smallest = tb::RtlShadingUnit::Create(GetParam());
+  int64_t pixels = 0;
+  for (const Flow& flow : Flows()) {
+    for (uint32_t seed = 1; seed <= kFrames; ++seed) {
+      const FrameWork work =
+          FrontEnd::Run(tb::RandomTriangles(seed, kTriangles), GetParam());
+      const tb::Verdicts verdicts = Compare(smallest.get(), work, flow);
+      ExpectGood(verdicts, std::string(flow.name) + ", seed " + std::to_string(seed));
+      pixels += verdicts.pixels_compared;
+    }
+  }
+  EXPECT_GT(pixels, 1000000);
+}
+
+TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansOfEightPixels) {
+  // Spans of exactly 8 pixels, each its own triangle, so that triangle hand-over is in the path.
+  FrameWork work;
+  work.method = GetParam();
+  for (int k = 0; k < 100; ++k) {
+    work.triangles.emplace_back();
+    work.packet.push_back(static_cast<uint32_t>(k));
+    work.spans.push_back({0, k, 8, {}, true});
+    work.pixels += 8;
+  }
+  const Flow flow = Flows().front();
+  tb::Scoreboard scoreboard(work, flow.source, flow.sink);
+  const auto rtl = tb::RtlShadingUnit::Create(GetParam());
+  const tb::RtlResult result = rtl->Run(work, flow.source, flow.sink, &scoreboard, {});
+  ExpectGood(scoreboard.Finish(result), "spans of 8");
+  // The spans follow each other; what remains is the latency of the first one.
+  EXPECT_EQ(result.counters.setup, SpanSetup::Steps(GetParam()) + 2);
+  EXPECT_EQ(result.cycles, work.pixels + result.counters.setup + 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShadingUnitMethod, testing::ValuesIn(kAllMethods),
+                         [](const auto& test) { return std::string(Name(test.param)); });
+
+// Frame after frame through one instance, so that the methods change without a reset.
+TEST(ShadingUnit, BuildWithAllMethodsChangesMethodBetweenFrames) {
+  const auto all = tb::RtlShadingUnit::CreateAll();
+  uint32_t seed = 70;
+  for (const Flow& flow : Flows()) {
+    for (const Method method : {Method::kQuad, Method::kFlat, Method::kGouraud, Method::kQuad}) {
+      const FrameWork work = FrontEnd::Run(tb::RandomTriangles(++seed, kTriangles), method);
+      ExpectGood(Compare(all.get(), work, flow), flow.name);
+    }
+  }
+}
+
+FrameWork OneSpan(Method method, int length) {
+  FrameWork work;
+  work.method = method;
+  work.triangles.emplace_back();
+  work.packet.push_back(0);
+  work.spans.push_back({0, 0, length, {}, true});
+  work.pixels = length;
+  return work;
+}
+
+TEST(ShadingUnit, ContractMatchesRtl) {
+  const FrameWork work = OneSpan(Method::kQuad, 100);
+  const Flow flow = Flows().front();
+  struct Recorder : tb::PixelConsumer {
+    std::vector<int64_t> cycles;
+    bool Consume(const TimedPixel* pixels, size_t count) override {
+      for (size_t i = 0; i < count; ++i) cycles.push_back(pixels[i].cycle);
+      return true;
+    }
+  } recorder;
+  tb::RtlShadingUnit::Create(Method::kQuad)->Run(work, flow.source, flow.sink, &recorder, {});
+  ASSERT_EQ(recorder.cycles.size(), 100u);
+  // The span is taken in cycle 1, the first in which it may be on offer.
+  EXPECT_EQ(recorder.cycles.front() - 1, ShadingUnit::kContract.latency_cycles);
+  EXPECT_EQ(recorder.cycles.back() - recorder.cycles.front(),
+            99 * ShadingUnit::kContract.interval_cycles);
+}
+
+TEST(ShadingUnit, FrameWithoutTriangles) {
+  FrameWork work;
+  work.method = Method::kQuad;
+  const auto rtl = tb::RtlShadingUnit::Create(Method::kQuad);
+  ExpectGood(Compare(rtl.get(), work, Flows().front()), "empty frame");
+}
+
+TEST(Scoreboard, FailsWhenPixelsAreMissing) {
+  const FrameWork work = OneSpan(Method::kQuad, 100);
+  tb::Scoreboard scoreboard(work, FlowPattern::Always(), FlowPattern::Always());
+  EXPECT_FALSE(scoreboard.Finish({}).Good());
+}
+
+TEST(Scoreboard, FailsOnEachFieldAndOnTheCycle) {
+  const FrameWork work = OneSpan(Method::kFlat, 3);
+  struct Recorder : tb::PixelConsumer {
+    std::vector<TimedPixel> pixels;
+    bool Consume(const TimedPixel* p, size_t count) override {
+      pixels.insert(pixels.end(), p, p + count);
+      return true;
+    }
+  } good;
+  const auto always = FlowPattern::Always();
+  const tb::RtlResult result =
+      tb::RtlShadingUnit::Create(Method::kFlat)->Run(work, always, always, &good, {});
+  const auto verdict = [&](const std::vector<TimedPixel>& pixels) {
+    tb::Scoreboard scoreboard(work, always, always);
+    scoreboard.Consume(pixels.data(), pixels.size());
+    return scoreboard.Finish(result);
+  };
+  ASSERT_TRUE(verdict(good.pixels).Good());
+  const auto broken = [&](auto change) {
+    auto pixels = good.pixels;
+    change(pixels[1]);
+    return verdict(pixels);
+  };
+  EXPECT_EQ(broken([](TimedPixel& p) { ++p.pixel.x; }).pixel_mismatches, 1);
+  EXPECT_EQ(broken([](TimedPixel& p) { ++p.pixel.y; }).pixel_mismatches, 1);
+  EXPECT_EQ(broken([](TimedPixel& p) { ++p.pixel.z; }).pixel_mismatches, 1);
+  EXPECT_EQ(broken([](TimedPixel& p) { ++p.pixel.r; }).pixel_mismatches, 1);
+  EXPECT_EQ(broken([](TimedPixel& p) { ++p.pixel.g; }).pixel_mismatches, 1);
+  EXPECT_EQ(broken([](TimedPixel& p) { ++p.pixel.b; }).pixel_mismatches, 1);
+  EXPECT_EQ(broken([](TimedPixel& p) { p.pixel.last = 1; }).pixel_mismatches, 1);
+  EXPECT_EQ(broken([](TimedPixel& p) { ++p.cycle; }).cycle_mismatches, 1);
+  auto more = good.pixels;
+  more.push_back(more.back());
+  EXPECT_FALSE(verdict(more).Good());
+}
+
+}  // namespace
+}  // namespace shading
