@@ -27,10 +27,10 @@ class IntensityDut {
   void Cycle(bool load, const ChannelSeed& seed) {
     top_->load_i = load;
     DriveChannelSeed(seed, top_->seed_i);
-    for (const uint8_t level : {0, 1}) {
-      top_->clk_i = level;
-      top_->eval();
-    }
+    top_->clk_i = 0;
+    top_->eval();
+    top_->clk_i = 1;
+    top_->eval();
   }
 
  private:
