@@ -25,8 +25,8 @@ struct BoundingSphere {
 // smallest sphere, and as small as possible for what reaches equally far to both sides.
 BoundingSphere Bound(const Scene& scene) {
   const auto position = [&](int v) { return scene.vertices[static_cast<size_t>(v)].position; };
-  Vec3 low = position(scene.triangles.front().vertex[0]);
-  Vec3 high = low;
+  Vec3 low = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Vec3 high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (const SceneTriangle& t : scene.triangles) {
     for (const int v : t.vertex) {
       const Vec3 p = position(v);

@@ -200,7 +200,9 @@ std::string Gltf(const std::string& scale, const std::string& material) {
 }
 
 TEST_F(ImportTest, MirroredNodeKeepsTheOutside) {
-  for (const char* scale : {"[1,1,1]", "[-1,1,1]", "[-2,3,-1]", "[1,2,-1]"}) {
+  const std::pair<const char*, double> nodes[] = {
+      {"[1,1,1]", 1}, {"[-1,1,1]", 1}, {"[-2,3,-1]", -1}, {"[1,2,-1]", -1}};
+  for (const auto& [scale, outside] : nodes) {
     const Scene scene = MustLoad(Write("a.gltf", Gltf(scale, "{}")));
     ASSERT_EQ(scene.triangles.size(), 1u);
     std::array<Vec3, 3> p;
@@ -209,6 +211,7 @@ TEST_F(ImportTest, MirroredNodeKeepsTheOutside) {
     }
     const Vec3 area = Cross(p[1] - p[0], p[2] - p[0]);
     EXPECT_NEAR(Dot(Normalize(area), scene.vertices[0].normal), 1, 1e-6) << scale;
+    EXPECT_NEAR(scene.vertices[0].normal.z, outside, 1e-6) << scale;
     EXPECT_NEAR(std::max({p[0].x, p[1].x, p[2].x}), scale[1] == '-' ? 5 : 6, 1e-6) << scale;
   }
 }

@@ -141,7 +141,7 @@ TEST_F(PacketFileTest, TriangleFaults) {
       {"\"x\":[0", "\"x\":[-2097153", "\"x\" must hold"},
       {"\"z\":[0", "\"z\":[-1", "\"z\" must hold whole numbers from 0 to 16777215"},
       {"16777215", "16777216", "\"z\" must hold"},
-      {"\"z\":[0", "\"z\":[18446744073709551615", "\"z\" must hold"},
+      {"\"x\":[0", "\"x\":[18446744073709551615", "\"x\" must hold"},  // -1 if it wrapped
       {"[0,4194304,0]", "[0,4100000,0]", "\"n\" is not a unit vector: its squared length is 0.95"},
       {"[0,4194304,0]", "[0,4194304]", "\"n\" must hold arrays of exactly 3"},
       {"[0,4194304,0]", "[0,4194304,\"0\"]", "\"n\" must hold whole numbers"},
