@@ -9,18 +9,27 @@
 namespace shading {
 namespace {
 
+// Positions first, then colours: each loop keeps its state in registers.
 template <typename IntensityUnit>
 void ShadeSpan(const SpanSeed& seed, Pixel* pixels) {
+  const int length = seed.length;
   PixelWalker walker(seed);
-  IntensityUnit red(seed.channel[0]), green(seed.channel[1]), blue(seed.channel[2]);
-  for (int i = 0; i < seed.length; ++i) {
-    pixels[i] = {walker.x(), walker.y(), walker.z(), red.code(), green.code(), blue.code(), 0};
+  for (int i = 0; i < length; ++i) {
+    pixels[i].x = walker.x();
+    pixels[i].y = walker.y();
+    pixels[i].z = walker.z();
     walker.Step();
+  }
+  IntensityUnit red(seed.channel[0]), green(seed.channel[1]), blue(seed.channel[2]);
+  for (int i = 0; i < length; ++i) {
+    pixels[i].r = red.code();
+    pixels[i].g = green.code();
+    pixels[i].b = blue.code();
+    pixels[i].last = i == length - 1;
     red.Step();
     green.Step();
     blue.Step();
   }
-  pixels[seed.length - 1].last = 1;
 }
 
 }  // namespace
