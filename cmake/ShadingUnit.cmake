@@ -30,7 +30,7 @@ function(verilate_unit)
     TOP_MODULE ${V_TOP}
     SOURCES ${PROJECT_SOURCE_DIR}/rtl/lint.vlt ${PROJECT_SOURCE_DIR}/rtl/${V_VISIBLE}
       ${SHADING_RTL_PACKAGES} ${V_SOURCE}
-    VERILATOR_ARGS -Wall --assert -O3 --x-assign fast --x-initial fast
+    VERILATOR_ARGS -Wall --assert -O3 --x-assign fast --x-initial fast --trace-structs
       ${SHADING_RTL_FOLDERS} ${V_PARAMETERS})
   # Generated and Verilator's own headers are not held to the project's warnings.
   get_target_property(headers ${V_TARGET} INCLUDE_DIRECTORIES)

@@ -36,12 +36,12 @@ SceneMaterial Brass() {
 
 Scene Mixed(int n) {
   Scene scene;
-  Append(Saddle(n), {1.25, 25, -20, {0.15, 0.05, -0.75}}, Brass(), &scene);
-  Append(Torus(2 * n), {0.72, 35, -55, {0.55, -0.30, 0.25}}, Plastic({0.10, 0.45, 0.40}, 0.05, 4),
+  Append(Saddle(n), {0.95, 20, -25, {0.10, 0.12, -0.62}}, Brass(), &scene);
+  Append(Torus(2 * n), {0.72, 35, -55, {0.50, -0.32, 0.20}}, Plastic({0.10, 0.45, 0.40}, 0.05, 4),
          &scene);
-  Append(Sphere(n), {0.62, 0, 0, {-0.62, 0.28, 0.25}}, Plastic({0.65, 0.08, 0.06}, 0.70, 120),
+  Append(Sphere(n), {0.66, 0, 0, {-0.58, 0.26, 0.20}}, Plastic({0.65, 0.08, 0.06}, 0.70, 120),
          &scene);
-  Append(Sphere(n), {0.33, 0, 0, {0.55, -0.18, 0.40}}, Plastic({0.12, 0.20, 0.60}, 0.45, 20),
+  Append(Sphere(n), {0.33, 0, 0, {0.50, -0.20, 0.38}}, Plastic({0.12, 0.20, 0.60}, 0.45, 20),
          &scene);
   return scene;
 }

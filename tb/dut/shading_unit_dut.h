@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "tb/dut/pins.h"
@@ -97,6 +98,9 @@ class ShadingUnitDut : public RtlShadingUnit {
     trace_ = std::make_unique<VerilatedFstC>();
     top_->trace(trace_.get(), 99);
     trace_->open(observation.trace.c_str());
+    if (!trace_->isOpen()) {
+      throw std::runtime_error(observation.trace + ": cannot be written; name a folder that exists");
+    }
   }
 
   void Offer(Feed* feed, int64_t cycle) {

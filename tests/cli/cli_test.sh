@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# The command line as a person and a script meet it. Usage: cli_test.sh SHADESIM
+set -uo pipefail
+shadesim=$1
+work=$(mktemp -d)
+trap 'rm -rf -- "$work"' EXIT
+cd -- "$work" || exit 1
+passed=0
+failed=0
+
+check() {  # check NAME COMMAND...: the command must succeed
+  local name=$1
+  shift
+  if "$@"; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    echo "FAILED: $name"
+  fi
+}
+
+# refuse PATTERN ARGS...: exit status 2, nothing on stdout, one line on stderr that matches.
+refuse() {
+  local pattern=$1
+  shift
+  "$shadesim" "$@" >stdout 2>stderr
+  local status=$?
+  check "'$*' exits with 2, not $status" test "$status" -eq 2
+  check "'$*' prints nothing on stdout" test ! -s stdout
+  check "'$*' prints one line: $(cat stderr)" test "$(wc -l <stderr)" -eq 1
+  check "'$*' says $pattern: $(cat stderr)" grep -qE -- "$pattern" stderr
+}
+
+accept() { check "'$*' succeeds" "$shadesim" "$@" --quiet; }
+
+has_keys() {  # has_keys FILE KEY...
+  local file=$1 key
+  shift
+  for key in "$@"; do check "$file has $key" grep -q "^  \"$key\":" "$file"; done
+}
+
+# Every bad input has a name and a remedy.
+refuse 'subcommand' render_nothing
+refuse 'SCENE' verify
+refuse 'SCENE' render -o a.png
+refuse 'output' render builtin:sphere
+refuse 'unknown method .rainbow.' verify builtin:sphere --method rainbow
+refuse 'size' render builtin:sphere -o a.png --size 640
+refuse 'size' render builtin:sphere -o a.png --size 0x480
+refuse 'size' render builtin:sphere -o a.png --size 5000x10
+refuse 'rotate' render builtin:sphere -o a.png --rotate 30
+refuse 'light' render builtin:sphere -o a.png --light 1,2
+refuse 'light' render builtin:sphere -o a.png --light 0,0,0
+refuse 'light' render builtin:sphere -o a.png --light nan,0,1
+refuse 'camera' render builtin:sphere -o a.png --camera fisheye
+refuse 'lanes' verify builtin:sphere --lanes 3
+refuse 'backpressure' verify builtin:sphere --backpressure 000
+refuse 'backpressure' verify builtin:sphere --backpressure sometimes
+refuse 'teapot' verify builtin:teapot
+refuse 'sphere' verify builtin:sphere:9999
+refuse 'missing.obj' verify missing.obj
+refuse 'missing.jsonl' verify missing.jsonl
+refuse 'not both' verify builtin:sphere --random 10
+refuse 'random' verify --random 0
+refuse 'trace' verify builtin:sphere --method all --trace a.fst
+refuse 'extension|format' render builtin:triangle -o picture.xyz
+refuse 'no-such-folder' render builtin:triangle -o no-such-folder/a.png
+refuse 'no-such-folder' verify builtin:triangle --json no-such-folder/a.json
+refuse 'no-such-folder' verify builtin:triangle --trace no-such-folder/a.fst
+echo 'this is no mesh' >broken.obj
+refuse 'broken.obj' verify broken.obj
+echo '{"format":"shadesim-triangles","version":7}' >old.jsonl
+refuse 'old.jsonl:1' verify old.jsonl
+check 'nothing half written' test "$(find . -name '*.png' -o -name '*.tmp' | wc -l)" -eq 0
+
+# The main job, on every engine; RTL and model write the same picture.
+for engine in rtl model ideal; do
+  accept render builtin:torus:8 --engine $engine --size 80x60 -o $engine.png --json $engine.json
+  has_keys $engine.json method engine width height triangles spans pixels max_error_lsb \
+    rms_error_lsb psnr_db sim_seconds pixels_per_second
+done
+check 'RTL and model draw the same picture' cmp rtl.png model.png
+accept render builtin:torus:8 builtin:saddle:4 --method all --size 80x60 -o many.png
+check 'one picture per scene and method' test "$(find . -name 'many-*.png' | wc -l)" -eq 6
+accept render builtin:sphere:6 --size 40x30 -o a.exr --camera persp --lighting phong --cull none
+accept verify builtin:sphere:6 --size 64x48 --method all --backpressure random --json v.json
+has_keys v.json method cycles cycles_per_pixel setup_cycles stall_cycles skipped pixels_compared \
+  pixel_mismatches spans_compared cycle_mismatches
+accept verify builtin:sphere:6 --size 64x48 --backpressure 0010111 --rotate 30,20 --light 1,1,1
+accept verify --random 600 --method all --seed 9
+echo '0 1 1 0 0 0 1' >pattern.txt
+accept verify builtin:saddle:3 --size 64x48 --backpressure pattern.txt
+accept verify builtin:saddle:3 --size 64x48 --trace wave.fst
+check 'a waveform was written' test -s wave.fst
+
+accept cycles builtin:saddle:3 --size 64x48 --method all --csv spans.csv
+check 'header of the CSV' test "$(head -n 1 spans.csv)" = \
+  triangle,y,x,length,method,cycles_rtl,cycles_model,setup,stall
+check 'RTL and model agree in the CSV' \
+  awk -F, 'NR > 1 && $6 != $7 { exit 1 } END { exit NR < 100 }' spans.csv
+
+# Packets written and read back are the same frame.
+accept verify builtin:mixed:6 --size 90x70 --triangles-out mixed.jsonl --json direct.json
+accept verify mixed.jsonl --triangles-out again.jsonl --json packets.json
+check 'packets survive the file' cmp mixed.jsonl again.jsonl
+for key in triangles spans pixels cycles setup_cycles; do
+  check "the packets give the same $key" test "$(grep -m1 "^  \"$key\"" direct.json)" = \
+    "$(grep -m1 "^  \"$key\"" packets.json)"
+done
+refuse 'own size' render mixed.jsonl -o a.png --size 10x10
+
+"$shadesim" list >list.txt
+check 'list succeeds' test $? -eq 0
+for word in flat gouraud quad span_setup quad_surface saddle; do
+  check "list names $word" grep -q "$word" list.txt
+done
+for command in '' render verify cycles list; do
+  # Unquoted on purpose: no command is no argument.
+  "$shadesim" $command --help >help.txt
+  check "help of '$command' fits on a screen" test "$(wc -l <help.txt)" -le 50
+done
+
+echo "$passed passed, $failed failed"
+test "$failed" -eq 0 && test "$passed" -gt 100
