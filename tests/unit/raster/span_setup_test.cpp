@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/raster/span_setup.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <random>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "tb/dut/span_setup_dut.h"
+#include "tests/unit/flows.h"
+#include "tests/unit/raster/span_setup_timing.h"
+#include "tests/unit/raster/span_stimulus.h"
+
+namespace shading {
+namespace {
+
+constexpr int kTriangles = 1500;  // about 3400 spans
+using Dut = tb::SpanSetupDut;
+
+Dut::Flows AlwaysFlows() {
+  return {FlowPattern::Always(), FlowPattern::Always(), FlowPattern::Always()};
+}
+
+// Fields that the method does not use are free in the RTL.
+void ExpectChannel(Method method, const ChannelSeed& rtl, const ChannelSeed& model) {
+  ASSERT_EQ(rtl.first.raw(), model.first.raw());
+  if (method == Method::kFlat) return;
+  ASSERT_EQ(rtl.difference.raw(), model.difference.raw());
+  if (method == Method::kGouraud) return;
+  ASSERT_EQ(rtl.second.raw(), model.second.raw());
+  ASSERT_EQ(rtl.curvature.raw(), model.curvature.raw());
+}
+
+void ExpectSeeds(const Dut::Work& work, const Dut::Result& result) {
+  ASSERT_EQ(result.failure, "");
+  ASSERT_EQ(result.seeds.size(), work.spans.size());
+  size_t triangle = 0;
+  for (size_t i = 0; i < work.spans.size(); ++i) {
+    const SpanSeed& rtl = result.seeds[i].seed;
+    const SpanSeed model = SpanSetup::Seed(work.method, work.triangles[triangle], work.spans[i]);
+    ASSERT_EQ(rtl.x, model.x) << "span " << i;
+    ASSERT_EQ(rtl.y, model.y) << "span " << i;
+    ASSERT_EQ(rtl.length, model.length) << "span " << i;
+    ASSERT_EQ(rtl.z.raw(), model.z.raw()) << "span " << i;
+    ASSERT_EQ(rtl.dz_dx.raw(), model.dz_dx.raw()) << "span " << i;
+    for (size_t ch = 0; ch < kChannels; ++ch) {
+      SCOPED_TRACE("span " + std::to_string(i) + " channel " + std::to_string(ch));
+      ExpectChannel(work.method, rtl.channel[ch], model.channel[ch]);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+    if (work.spans[i].last) ++triangle;
+  }
+}
+
+void ExpectRun(Dut* rtl, const Dut::Work& work, const Dut::Flows& flows) {
+  const Dut::Result result = rtl->Run(work, flows);
+  ExpectSeeds(work, result);
+  if (!testing::Test::HasFatalFailure()) ExpectCycles(work, flows, result);
+}
+
+using Setting = std::tuple<Method, Flow, Flow>;
+class SpanSetupFlow : public testing::TestWithParam<Setting> {};
+
+constexpr auto kFlows = {Flow::kAlways, Flow::kOneInFour, Flow::kRandom};
+
+TEST_P(SpanSetupFlow, RtlMatchesModel) {
+  const auto [method, span, seed] = GetParam();
+  for (const Flow triangle : kFlows) {
+    SCOPED_TRACE("triangles " + NameOf(triangle));
+    std::mt19937 random(1);
+    Dut rtl;
+    ExpectRun(&rtl, RandomWork(method, kTriangles, random),
+              {PatternOf(triangle, 2), PatternOf(span, 3), PatternOf(seed, 4)});
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllFlows, SpanSetupFlow,
+                         testing::Combine(testing::ValuesIn(kAllMethods), testing::ValuesIn(kFlows),
+                                          testing::ValuesIn(kFlows)),
+                         [](const auto& setting) {
+                           return std::string(Name(std::get<0>(setting.param))) + "Span" +
+                                  NameOf(std::get<1>(setting.param)) + "Seed" +
+                                  NameOf(std::get<2>(setting.param));
+                         });
+
+TEST(SpanSetup, ContractMatchesRtl) {
+  EXPECT_EQ(Dut::kLatency, SpanSetup::kContract.latency_cycles);
+  EXPECT_EQ(Dut::kInterval, SpanSetup::kContract.interval_cycles);
+  EXPECT_EQ(SpanSetup::Steps(Method::kQuad), SpanSetup::kContract.interval_cycles);
+  const auto expect = [](Method method, int latency, int interval) {
+    std::mt19937 random(1);
+    Dut rtl;
+    const Dut::Result result = rtl.Run(RandomWork(method, 20, random), AlwaysFlows());
+    ASSERT_EQ(result.failure, "");
+    for (size_t i = 0; i < result.spans.size(); ++i) {
+      EXPECT_EQ(result.seeds[i].offered - result.spans[i], latency) << Name(method);
+      if (i == 0) continue;
+      EXPECT_EQ(result.spans[i] - result.spans[i - 1], interval) << Name(method);
+    }
+  };
+  expect(Method::kQuad, 7, 5);
+  expect(Method::kGouraud, 4, 2);
+  expect(Method::kFlat, 3, 1);
+}
+
+TEST(SpanSetup, ModelWithinErrorBound) {
+  std::mt19937 random(1);
+  int in_range = 0;
+  for (int i = 0; i < 300000; ++i) {
+    const Method method = kAllMethods[random() % 3];
+    const Dut::Work work = RandomWork(method, 1, random);
+    const int x = work.spans.back().x - work.triangles[0].origin_x;
+    const int y = work.spans.back().y - work.triangles[0].origin_y;
+    const SpanSeed seed = SpanSetup::Seed(method, work.triangles[0], work.spans.back());
+    for (size_t ch = 0; ch < kChannels; ++ch) {
+      const Surface& s = work.triangles[0].surface[ch];
+      const Int128 first = Polynomial(s, method, x, y), second = Polynomial(s, method, x + 1, y);
+      const auto wrapped = [](Int128 z) { return IntensityAcc::Wrap(static_cast<int64_t>(z)); };
+      ASSERT_EQ(seed.channel[ch].first, wrapped(first));
+      if (method != Method::kFlat) {
+        ASSERT_EQ(seed.channel[ch].difference, wrapped(second - first));
+      }
+      if (method == Method::kQuad) {
+        ASSERT_EQ(seed.channel[ch].second, wrapped(second));
+        ASSERT_EQ(seed.channel[ch].curvature,
+                  wrapped(second - 2 * first + Polynomial(s, method, x - 1, y)));
+      }
+      in_range += first >= kLeastAcc && first <= kMostAcc;
+    }
+  }
+  EXPECT_EQ(SpanSetup::kContract.max_error_ulp, 0) << "a value in S9.26 equals its wrapped form";
+  EXPECT_GT(in_range, 400000) << "the search is blind: half of the surfaces must not wrap";
+}
+
+// A x^2 + D x + F with A = 1/16 code, D = -4095/16: both products reach a million codes at x =
+// 4095.
+TEST(SpanSetup, WrapOfIntermediateTermsIsHarmless) {
+  std::mt19937 random(1);
+  for (const int x : {4095, -4095}) {
+    Dut::Work work = RandomWork(Method::kQuad, 1, random);
+    work.spans.resize(1);
+    work.spans[0].last = true;
+    work.spans[0].x = x > 0 ? 4095 : 0;
+    work.triangles[0].origin_x = x > 0 ? 0 : 4095;
+    for (Surface& s : work.triangles[0].surface) {
+      s = {};
+      s.a = IntensityAcc::FromRaw(kOneCode / 16);
+      s.d = IntensityAcc::FromRaw(-x * kOneCode / 16);
+      s.f = IntensityAcc::FromRaw(77 * kOneCode);
+    }
+    Dut rtl;
+    const Dut::Result result = rtl.Run(work, AlwaysFlows());
+    ExpectSeeds(work, result);
+    ASSERT_FALSE(HasFatalFailure());
+    EXPECT_EQ(result.seeds[0].seed.channel[0].first.raw(), 77 * kOneCode);
+    EXPECT_EQ(result.seeds[0].seed.channel[2].difference.raw(), (x + 1) * kOneCode / 16);
+  }
+}
+
+TEST(SpanSetup, SpanWaitsForItsTriangle) {
+  for (const Method method : kAllMethods) {
+    std::mt19937 random(1);
+    const Dut::Work work = RandomWork(method, 8, random);
+    const Dut::Flows flows = {FlowPattern::Recorded("00000000000000000001"), FlowPattern::Always(),
+                              FlowPattern::Always()};
+    Dut rtl;
+    ExpectRun(&rtl, work, flows);
+    const Dut::Result again = rtl.Run(work, flows);
+    EXPECT_EQ(again.spans[0], 19) << "taken together with its triangle, not before";
+  }
+}
+
+TEST(SpanSetup, TriangleLeavesWithItsLastSpan) {
+  for (const Method method : kAllMethods) {
+    std::mt19937 random(1);
+    Dut::Work work = RandomWork(method, 8, random);
+    work.spans.resize(8);
+    for (SpanCommand& span : work.spans) span.last = true;
+    Dut rtl;
+    ExpectRun(&rtl, work, AlwaysFlows());
+    EXPECT_EQ(rtl.Run(work, AlwaysFlows()).triangles[1], SpanSetup::Steps(method));
+  }
+}
+
+// One span waits as a seed, one for its last sum, one in its first step: the fourth stays outside.
+TEST(SpanSetup, StalledWalkerBlocksSeedSumAndSteps) {
+  for (const Method method : kAllMethods) {
+    std::mt19937 random(1);
+    const Dut::Work work = RandomWork(method, 8, random);
+    Dut::Flows flows = AlwaysFlows();
+    flows.seed = FlowPattern::Recorded(std::string(50, '0') + "1");
+    Dut rtl;
+    ExpectRun(&rtl, work, flows);
+    const Dut::Result again = rtl.Run(work, flows);
+    EXPECT_LT(again.spans[2], 50);
+    EXPECT_GE(again.spans[3], 50);
+  }
+}
+
+TEST(SpanSetup, NextFrameSwitchesMethodWithoutReset) {
+  std::mt19937 random(1);
+  Dut rtl;
+  for (int frame = 0; frame < 60; ++frame) {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    const Method method = kAllMethods[random() % 3];
+    ExpectRun(&rtl, RandomWork(method, 1 + static_cast<int>(random() % 3), random), AlwaysFlows());
+  }
+}
+
+TEST(SpanSetup, ResetDropsEverything) {
+  std::mt19937 random(1);
+  Dut rtl;
+  EXPECT_NE(rtl.Run(RandomWork(Method::kQuad, 9, random), AlwaysFlows(), 20).failure, "");
+  rtl.Reset();
+  ExpectRun(&rtl, RandomWork(Method::kGouraud, 9, random), AlwaysFlows());
+}
+
+TEST(SpanSetupDeathTest, SpanOfNoPixelsStopsTheSimulation) {
+  std::mt19937 random(1);
+  Dut::Work work = RandomWork(Method::kFlat, 1, random);
+  work.spans[0].length = 0;
+  EXPECT_EXIT(Dut().Run(work, AlwaysFlows()), testing::KilledBySignal(SIGABRT), "");
+}
+
+}  // namespace
+}  // namespace shading
