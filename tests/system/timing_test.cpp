@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "model/raster/front_end.h"
+#include "tb/stimulus/random_triangles.h"
+#include "tests/system/tlm_platform.h"
+
+namespace shading::test {
+namespace {
+
+using sc_core::sc_time;
+
+const sc_time kPeriod(7, sc_core::SC_NS);
+
+// When each span's last pixel has left, and the end of the frame, in clock periods after END.
+std::vector<int64_t> ExpectedCycles(const TriangleList& list, Method method) {
+  const FrameWork work = FrontEnd::Run(list, method);
+  ShadingUnit unit(method, FlowPattern::Always(), FlowPattern::Always());
+  std::vector<Pixel> pixels(kMaxScreen);
+  std::vector<int64_t> cycles;
+  size_t triangle = 0;
+  bool first = true;
+  for (const SpanCommand& span : work.spans) {
+    if (first) unit.Triangle(work.triangles[triangle++]);
+    first = span.last;
+    cycles.push_back(unit.Span(span, pixels.data()).last_left + 1);
+  }
+  return cycles;
+}
+
+struct Observed {
+  sc_time start, idle;
+  std::vector<sc_time> arrivals;
+};
+
+Observed Observe(Core core, const TriangleList& list, Method method, const sc_time& quantum) {
+  Observed observed;
+  ShadingDevice::Options options;
+  options.clock_period = kPeriod;
+  const Outcome outcome = Simulate({core, options, quantum}, {[&](Software* software) {
+                                     ShadingDriver& driver = software->driver();
+                                     driver.Start(list.frame, method, TargetFor(list.frame, false));
+                                     for (const TrianglePacket& packet : list.triangles)
+                                       driver.Push(packet);
+                                     software->Wait(sc_core::SC_ZERO_TIME);
+                                     observed.start = sc_core::sc_time_stamp() +
+                                                      kPeriod;  // the access to CONTROL takes one
+                                     driver.End();
+                                     do software->Wait(kPeriod);
+                                     while (driver.Busy());
+                                     observed.idle = sc_core::sc_time_stamp();
+                                     observed.arrivals = software->platform().monitor.arrivals;
+                                   }});
+  EXPECT_TRUE(outcome.finished);
+  return observed;
+}
+
+// Whatever the quantum: bursts carry the time at which the span's last pixel has left, and BUSY
+// falls when the frame is finished; the poll sees that up to three periods later.
+TEST(TlmTiming, BurstsAndIdleAreExact) {
+  const TriangleList list = tb::RandomTriangles(3, 100);
+  const std::vector<int64_t> cycles = ExpectedCycles(list, Method::kQuad);
+  for (const Core core : kBothCores) {
+    for (const int quantum_us : {0, 1, 1000}) {
+      const Observed observed =
+          Observe(core, list, Method::kQuad, sc_time(quantum_us, sc_core::SC_US));
+      ASSERT_EQ(observed.arrivals.size(), cycles.size());
+      for (size_t i = 0; i < cycles.size(); ++i) {
+        ASSERT_EQ(observed.arrivals[i], observed.start + kPeriod * static_cast<double>(cycles[i]))
+            << "span " << i << ", quantum " << quantum_us << " us";
+      }
+      const sc_time end = observed.start + kPeriod * static_cast<double>(cycles.back());
+      EXPECT_GE(observed.idle, end);
+      EXPECT_LE(observed.idle, end + 3 * kPeriod);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shading::test
