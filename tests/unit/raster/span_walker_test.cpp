@@ -142,6 +142,25 @@ TEST(SpanWalker, CoverageEqualsDefinition) {
   }
 }
 
+// A pixel row that an edge passes at the least distance: the remainder is then 0 or d - 1.
+TEST(SpanWalker, CentresNearestToEdges) {
+  const FrameState frame = Screen(40, 40);
+  CornerGenerator random(8, 40, 40);
+  for (int n = 0; n < 3000; ++n) {
+    const int64_t run = random.Integer(-8000, 8000), rise = random.Integer(300, 8000);
+    const int64_t w = random.Integer(-1, 1);
+    // The centre's offset from the edge's upper end: run y - rise x = w.
+    int64_t y = random.Integer(0, rise - 1);
+    for (int64_t tries = 0; tries < rise && (run * y - w) % rise != 0; ++tries) y = (y + 1) % rise;
+    const Point centre = {random.Integer(5, 35) * kPixel + 128,
+                          random.Integer(20, 39) * kPixel + 128};
+    const Point upper = {centre.x - (run * y - w) / rise, centre.y - y};
+    const Point lower = {upper.x + run, upper.y + rise};
+    ExpectExact(PacketOf({upper, lower, Point{upper.x + 9000, centre.y}}), frame);
+    ExpectExact(PacketOf({upper, lower, Point{upper.x - 9000, centre.y}}), frame);
+  }
+}
+
 TEST(SpanWalker, HugeTriangleFillsWidestScreen) {
   const FrameState frame = Screen(4096, 4096);
   std::vector<SpanCommand> spans;
@@ -193,7 +212,7 @@ TEST(SpanWalker, SpansStartWithDepthOfTheirPixel) {
 }
 
 TEST(SpanWalker, TriangleBetweenCentresAddsNothing) {
-  std::vector<SpanCommand> spans = {{3, 4, 5, {}, true}};
+  std::vector<SpanCommand> spans = {{3, 4, 5, {}, false}};
   // The bounding box holds centre (10, 10), the triangle does not.
   const int64_t edge = 10 * kPixel;
   const TrianglePacket packet =
@@ -206,6 +225,7 @@ TEST(SpanWalker, TriangleBetweenCentresAddsNothing) {
   EXPECT_EQ(SpanWalker::Walk(geometry, {}, &spans), 0);
   ASSERT_EQ(spans.size(), 1u);
   EXPECT_EQ(spans[0].length, 5);
+  EXPECT_FALSE(spans[0].last) << "its mark is not for this triangle to set";
 }
 
 }  // namespace
