@@ -77,7 +77,7 @@ inline constexpr std::array kRegisterMap = {
     Register{"SKIPPED_OFF_SCREEN", 0x0c8, 2, Access::kRead, 0, "triangles beside the screen"},
     Register{"SKIPPED_EMPTY", 0x0d0, 2, Access::kRead, 0, "triangles between pixel centres"},
     Register{"TRIANGLE_FIFO", 0x100, kPacketWords, Access::kWrite, 0,
-             "a triangle packet, see below; its last word pushes it"},
+             "triangle packet, see below; the last word pushes"},
     Register{"MATERIALS", 0x4000, kMaxMaterials* kMaterialWords, Access::kReadWrite, 0,
              "material table, see below"},
 };

@@ -28,9 +28,9 @@ the room in the FIFO, so not as 0 after reset.
 ## CONTROL
 | bit | name | |
 |--:|---|---|
-| 0 | START | takes over the frame state (`METHOD` to `DEPTH_STRIDE`, `MATERIALS`), clears the error |
+| 0 | START | takes over the frame state (`METHOD` .. `DEPTH_STRIDE`, `MATERIALS`), clears ERROR |
 | 1 | END | no more triangles: shades the frame; the frame's first cycle begins here |
-| 2 | RESET | registers, FIFO and counters to their reset values; ends a frame that is being shaded |
+| 2 | RESET | registers, FIFO and counters to their reset values; ends a frame being shaded |
 
 Frame state may be changed and triangles be pushed for the next frame while one is being shaded;
 they wait in the FIFO for its START. A START with an error in the frame state opens a frame whose
