@@ -13,7 +13,7 @@ namespace shading {
 // inside by the top-left rule. No pixel twice and none missing on shared edges.
 //
 // Each edge bounds the row on one side at the pixel floor(n / d); n moves by a constant from row to
-// row, so quotient and remainder are stepped by additions (one division an edge, none a row).
+// row, so quotient and remainder are stepped by additions (two divisions an edge, none a row).
 class SpanWalker {
  public:
   static constexpr UnitContract kContract = {"span_walker", "raster", 0, 0,

@@ -27,7 +27,7 @@ struct SurfaceNodes {
 // range, its pixels never are (-85..340 for nodes 0..255). F carries the half code for rounding.
 //
 // Error     0.40 codes on screens of 4096 x 4096 pixels, 0.11 on 2048 x 2048: coefficients
-//           (x^2 + xy + y^2 + x + y + 1) 2^-27, barycentrics 2 * 2295 (x + y + 1) 2^-31.
+//           (x^2 + xy + y^2 + x + y + 1) 2^-27, barycentrics 2295 (x + y + 1) 2^-31.
 class SurfaceFit {
  public:
   static constexpr UnitContract kContract = {

@@ -43,7 +43,8 @@ enum class Verdict { kDraw, kBackFacing, kDegenerate, kOffScreen, kEmpty };
 // planes of the barycentrics and of the depth.
 //
 // Pixel (i, j) is sampled at (i + 1/2, j + 1/2). Vertices are S13.8 pixels. The barycentrics'
-// planes are rounded to 2^-31: at most 2^-18 off anywhere on a 4096 x 4096 screen. The depth plane
+// planes are rounded to 2^-31: corners 0 and 1 at most 2^-18 off anywhere on a
+// 4096 x 4096 screen, corner 2 at most 2^-17. The depth plane
 // counts from the corner of the bounding box and is rounded to 2^-39, with half an ulp of U0.24
 // added: at most 1/4 ulp off.
 class TriangleSetup {

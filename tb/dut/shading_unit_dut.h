@@ -12,6 +12,7 @@
 
 #include "tb/dut/pins.h"
 #include "tb/rtl_shading_unit.h"
+#include "tb/wave_view.h"
 
 namespace shading::tb {
 
@@ -47,6 +48,7 @@ class ShadingUnitDut : public RtlShadingUnit {
       Withdraw();
     }
     batch.Flush();
+    if (trace_) WriteWaveView(observation.trace);
     trace_.reset();
     clean_ = result.finished;
     result.counters = ReadCounters();

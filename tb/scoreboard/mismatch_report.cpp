@@ -93,7 +93,7 @@ std::string ReportMismatch(const FrameWork& work, const Verdicts& verdicts,
     text += "    seed in the RTL: " + SeedText(*again.probe);
     text += "    seed in the model: " + SeedText(verdicts.mismatches.front().seed);
   }
-  return text + fmt::format("  waveform: {} (open it with gtkwave)\n", waveform);
+  return text + fmt::format("  waveform: {} (gtkwave opens the .gtkw file beside it)\n", waveform);
 }
 
 }  // namespace shading::tb

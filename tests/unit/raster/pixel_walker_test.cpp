@@ -137,6 +137,7 @@ TEST(PixelWalker, ContractMatchesRtl) {
     EXPECT_EQ(result.taken[run] - result.taken[run - 1], PixelWalker::kContract.interval_cycles);
   }
   const Dut::Result whole_line = rtl.Run({RunOf(0, 0, kMaxScreen, 0, 1)}, always, always);
+  ASSERT_EQ(whole_line.failure, "");
   EXPECT_EQ(whole_line.pixels.back().cycle, PixelWalker::kContract.latency_cycles + 4095);
 }
 
@@ -224,6 +225,7 @@ TEST(PixelWalker, LastColumnOfTheScreen) {
   Dut rtl;
   const auto result = rtl.Run({whole, one, one}, FlowPattern::Always(), FlowPattern::OneInFour());
   ExpectPixels({whole, one, one}, result);
+  ASSERT_FALSE(HasFatalFailure());
   EXPECT_EQ(result.pixels[4095].x, 4095);
   EXPECT_TRUE(result.pixels[4095].last);
 }

@@ -170,6 +170,7 @@ TEST(SpanSetup, SpanWaitsForItsTriangle) {
     Dut rtl;
     ExpectRun(&rtl, work, flows);
     const Dut::Result again = rtl.Run(work, flows);
+    ASSERT_EQ(again.failure, "");
     EXPECT_EQ(again.spans[0], 19) << "taken together with its triangle, not before";
   }
 }
@@ -182,7 +183,9 @@ TEST(SpanSetup, TriangleLeavesWithItsLastSpan) {
     for (SpanCommand& span : work.spans) span.last = true;
     Dut rtl;
     ExpectRun(&rtl, work, AlwaysFlows());
-    EXPECT_EQ(rtl.Run(work, AlwaysFlows()).triangles[1], SpanSetup::Steps(method));
+    const Dut::Result again = rtl.Run(work, AlwaysFlows());
+    ASSERT_EQ(again.failure, "");
+    EXPECT_EQ(again.triangles[1], SpanSetup::Steps(method));
   }
 }
 
@@ -196,6 +199,7 @@ TEST(SpanSetup, StalledWalkerBlocksSeedSumAndSteps) {
     Dut rtl;
     ExpectRun(&rtl, work, flows);
     const Dut::Result again = rtl.Run(work, flows);
+    ASSERT_EQ(again.failure, "");
     EXPECT_LT(again.spans[2], 50);
     EXPECT_GE(again.spans[3], 50);
   }
