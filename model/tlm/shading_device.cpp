@@ -124,7 +124,6 @@ void ShadingDevice::SoftReset() {
   staging_ = {};
   fifo_.clear();
   error_ = DeviceError::kNone;
-  space_.notify(sc_core::SC_ZERO_TIME);
   if (writer_) {
     writer_->Stop();
   } else {
@@ -190,10 +189,9 @@ void ShadingDevice::ShadeFrame() {
   SpanWriter writer(setup_.target, std::max(frame_start_, sc_core::sc_time_stamp()),
                     options_.clock_period, initiator_socket.operator->(), &keeper_);
   writer_ = &writer;
-  CoreResult result;
-  if (!discard_) result = Shade(frame_work_, options_.sink, &writer);
+  const CoreResult result = Shade(frame_work_, options_.sink, &writer);
   const bool complete = !result.failed && !writer.stopped() && !writer.bus_failed();
-  writer.Finish(complete ? result.cycles : 0);
+  writer.Finish();
   writer_ = nullptr;
 
   if (complete) {

@@ -21,6 +21,7 @@ SpanWriter::SpanWriter(const FrameBuffer& target, const sc_time& start, const sc
     : target_(target),
       start_(start),
       period_(period),
+      completed_(start),
       bus_(*bus),
       keeper_(*keeper),
       color_(kWordBytes * kMaxScreen),
@@ -37,8 +38,8 @@ bool SpanWriter::Accept(const Pixel* pixels, int length, int64_t last_cycle) {
   return !stopped_ && !bus_failed_;
 }
 
-void SpanWriter::Finish(int64_t cycles) {
-  SetLocalTime(std::max(completed_, TimeOf(cycles)));
+void SpanWriter::Finish() {
+  SetLocalTime(completed_);
   keeper_.sync();
 }
 

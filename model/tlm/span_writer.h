@@ -37,8 +37,8 @@ class SpanWriter : public SpanSink {
 
   // Ends the frame early, from another process.
   void Stop() { stopped_ = true; }
-  // Advances local time to the end of the frame, which took so many cycles, and synchronises.
-  void Finish(int64_t cycles);
+  // Advances local time to the end of the last burst and synchronises.
+  void Finish();
 
   bool stopped() const { return stopped_; }
   bool bus_failed() const { return bus_failed_; }

@@ -12,7 +12,7 @@ constexpr auto kRead = tlm::TLM_READ_COMMAND;
 constexpr auto kWrite = tlm::TLM_WRITE_COMMAND;
 
 void OnBoth(const Body& body) {
-  for (const Core core : kBothCores) EXPECT_TRUE(Simulate({core, {}, {}}, {body}).finished);
+  for (const Core core : kBothCores) EXPECT_TRUE(Simulate({core, {}, {}, {}}, {body}).finished);
 }
 
 TEST(RegisterAccess, AnswersWrongAccessesWithTheRightError) {
@@ -86,7 +86,7 @@ TEST(RegisterAccess, HasNoByteEnablesNoStreamingAndNoDirectMemory) {
 TEST(RegisterAccess, TakesOneClockPeriodAWord) {
   ShadingDevice::Options options;
   options.clock_period = sc_core::sc_time(3, sc_core::SC_NS);
-  Simulate({Core::kModel, options, {}}, {[](Software* software) {
+  Simulate({Core::kModel, options, {}, {}}, {[](Software* software) {
              software->driver().Push(Cover(0));
              EXPECT_EQ(sc_core::sc_time_stamp(), sc_core::sc_time(57, sc_core::SC_NS));
            }});

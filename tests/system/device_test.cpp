@@ -10,7 +10,7 @@ using sc_core::sc_time;
 using sc_core::sc_time_stamp;
 
 void OnBoth(const Body& body) {
-  for (const Core core : kBothCores) EXPECT_TRUE(Simulate({core, {}, {}}, {body}).finished);
+  for (const Core core : kBothCores) EXPECT_TRUE(Simulate({core, {}, {}, {}}, {body}).finished);
 }
 
 // START with one register changed gives this error, draws nothing, and the next frame is good.
@@ -44,6 +44,8 @@ TEST(ShadingDevice, RefusesBadFrameState) {
   ExpectStartError("METHOD", 31, DeviceError::kMethod);
   ExpectStartError("METHOD", 0x80000000, DeviceError::kMethod);
   ExpectStartError("LIGHTING", 2, DeviceError::kState);
+  ExpectStartError("CULL", 2, DeviceError::kState);
+  ExpectStartError("DEPTH_TEST", 2, DeviceError::kState);
   ExpectStartError("WIDTH", 0, DeviceError::kSize);
   ExpectStartError("HEIGHT", 4097, DeviceError::kSize);
   ExpectStartError("LIGHT_Z", 0, DeviceError::kVector);
@@ -71,6 +73,11 @@ TEST(ShadingDevice, SkipsBadTriangles) {
     software->Render(list, Method::kGouraud, TargetFor(list.frame, false));
     EXPECT_EQ(driver.Error(), DeviceError::kNormal);
     EXPECT_EQ(driver.Counter("TRIANGLES"), 1u);
+
+    list.triangles[1].material = 1;
+    software->Render(list, Method::kGouraud, TargetFor(list.frame, false));
+    EXPECT_EQ(driver.Error(), DeviceError::kNormal);  // the first one stays
+    EXPECT_EQ(driver.Counter("TRIANGLES"), 0u);
   });
 }
 
@@ -95,7 +102,7 @@ TEST(ShadingDevice, EndsTheFrameWhenTheBusFails) {
   OnBoth([](Software* software) {
     ShadingDriver& driver = software->driver();
     TriangleList list = Empty(16, 8);
-    list.triangles = {Cover(5)};
+    list.triangles = {Cover(5), Cover(4)};
     FrameBuffer target = TargetFor(list.frame, true);
     target.depth_base = Platform::kMemory - 3 * target.depth_stride;
     software->Clear(0xff);
@@ -112,7 +119,7 @@ TEST(ShadingDevice, FullFifoIsRefusedWhenNobodyMakesRoom) {
   options.fifo_packets = 4;
   for (const Core core : kBothCores) {
     const Outcome outcome = Simulate(
-        {core, options, {}}, {[](Software* software) {
+        {core, options, {}, {}}, {[](Software* software) {
           ShadingDriver& driver = software->driver();
           TriangleList list = Empty(64, 64);
           list.triangles.assign(50, Cover(5));
@@ -149,7 +156,7 @@ TEST(ShadingDevice, WriterOfAnOpenFrameWaitsForRoom) {
   for (const Core core : kBothCores) {
     const sc_time quantum(1, sc_core::SC_MS);
     const Outcome outcome =
-        Simulate({core, options, quantum}, {[](Software* software) {
+        Simulate({core, options, quantum, {}}, {[](Software* software) {
                    ShadingDriver& driver = software->driver();
                    const TriangleList list = Empty(16, 8);
                    driver.Start(list.frame, Method::kFlat, TargetFor(list.frame, false));
@@ -191,7 +198,7 @@ TEST(ShadingDevice, ResetLetsABlockedWriterGo) {
       EXPECT_TRUE(driver.Busy());
       driver.Reset();
     };
-    EXPECT_TRUE(Simulate({core, options, {}}, {push, render}).finished);
+    EXPECT_TRUE(Simulate({core, options, {}, {}}, {push, render}).finished);
     EXPECT_GT(pushed, sc_time(40, sc_core::SC_US));
     EXPECT_LT(pushed, sc_time(50, sc_core::SC_US));
   }
@@ -200,7 +207,7 @@ TEST(ShadingDevice, ResetLetsABlockedWriterGo) {
 TEST(ShadingDevice, SoftResetEndsTheFrame) {
   for (const Core core : kBothCores) {
     const Outcome outcome =
-        Simulate({core, {}, {}}, {[](Software* software) {
+        Simulate({core, {}, {}, {}}, {[](Software* software) {
                    ShadingDriver& driver = software->driver();
                    TriangleList list = Empty(64, 64);
                    list.triangles.assign(20, Cover(5));

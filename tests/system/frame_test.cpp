@@ -41,7 +41,7 @@ Rendered OnDevice(Core core, const Case& test, const sc_core::sc_time& quantum) 
   Rendered result;
   ShadingDevice::Options options;
   options.sink = test.sink;
-  const Outcome outcome = Simulate({core, options, quantum}, {[&](Software* software) {
+  const Outcome outcome = Simulate({core, options, quantum, {}}, {[&](Software* software) {
                                      software->Clear(0xff);
                                      software->Render(test.list, test.method,
                                                       TargetFor(test.list.frame, test.depth_test));

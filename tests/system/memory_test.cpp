@@ -29,7 +29,7 @@ struct MemoryAccess {
 };
 
 void WithMemory(const Body& body) {
-  EXPECT_TRUE(Simulate({Core::kModel, {}, {}}, {body}).finished);
+  EXPECT_TRUE(Simulate({Core::kModel, {}, {}, {}}, {body}).finished);
 }
 
 TEST(FrameBufferMemory, HonoursByteEnables) {

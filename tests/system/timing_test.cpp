@@ -33,11 +33,10 @@ struct Observed {
   std::vector<sc_time> arrivals;
 };
 
-Observed Observe(Core core, const TriangleList& list, Method method, const sc_time& quantum) {
+Observed Observe(Setup setup, const TriangleList& list, Method method) {
   Observed observed;
-  ShadingDevice::Options options;
-  options.clock_period = kPeriod;
-  const Outcome outcome = Simulate({core, options, quantum}, {[&](Software* software) {
+  setup.options.clock_period = kPeriod;
+  const Outcome outcome = Simulate(setup, {[&](Software* software) {
                                      ShadingDriver& driver = software->driver();
                                      driver.Start(list.frame, method, TargetFor(list.frame, false));
                                      for (const TrianglePacket& packet : list.triangles)
@@ -63,7 +62,7 @@ TEST(TlmTiming, BurstsAndIdleAreExact) {
   for (const Core core : kBothCores) {
     for (const int quantum_us : {0, 1, 1000}) {
       const Observed observed =
-          Observe(core, list, Method::kQuad, sc_time(quantum_us, sc_core::SC_US));
+          Observe({core, {}, sc_time(quantum_us, sc_core::SC_US), {}}, list, Method::kQuad);
       ASSERT_EQ(observed.arrivals.size(), cycles.size());
       for (size_t i = 0; i < cycles.size(); ++i) {
         ASSERT_EQ(observed.arrivals[i], observed.start + kPeriod * static_cast<double>(cycles[i]))
@@ -74,6 +73,17 @@ TEST(TlmTiming, BurstsAndIdleAreExact) {
       EXPECT_LE(observed.idle, end + 3 * kPeriod);
     }
   }
+}
+
+// A slow memory delays the end of the frame by one access and no burst.
+TEST(TlmTiming, MemoryLatencyDelaysOnlyTheEnd) {
+  const TriangleList list = tb::RandomTriangles(3, 20);
+  const sc_time latency(1, sc_core::SC_US);
+  const Observed fast = Observe({}, list, Method::kQuad);
+  const Observed slow = Observe({Core::kModel, {}, {}, latency}, list, Method::kQuad);
+  EXPECT_EQ(slow.arrivals, fast.arrivals);
+  EXPECT_GE(slow.idle, slow.arrivals.back() + latency);
+  EXPECT_LE(slow.idle, slow.arrivals.back() + latency + 3 * kPeriod);
 }
 
 }  // namespace

@@ -27,14 +27,13 @@ void BusMonitor::Transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& 
   memory_side->b_transport(payload, delay);
 }
 
-Platform::Platform(const sc_core::sc_module_name& name, Core core,
-                   const ShadingDevice::Options& options)
+Platform::Platform(const sc_core::sc_module_name& name, const Setup& setup)
     : sc_module(name),
       device_socket("device_socket"),
       memory_socket("memory_socket"),
-      device(NewDevice(core, options)),
+      device(NewDevice(setup.core, setup.options)),
       monitor("monitor"),
-      memory("memory", kMemory) {
+      memory("memory", kMemory, setup.memory_latency) {
   device_socket.bind(device->target_socket);
   memory_socket.bind(memory.host_socket);
   device->initiator_socket.bind(monitor.device_side);
@@ -94,7 +93,7 @@ Outcome Simulate(const Setup& setup, const std::vector<Body>& bodies) {
   sc_core::sc_curr_simcontext = new sc_core::sc_simcontext();
   sc_core::sc_default_global_context = sc_core::sc_curr_simcontext;
   tlm::tlm_global_quantum::instance().set(setup.quantum);
-  Platform platform("platform", setup.core, setup.options);
+  Platform platform("platform", setup);
   size_t returned = 0;
   for (const Body& body : bodies) {
     sc_core::sc_spawn([&platform, &returned, &body] {

@@ -18,6 +18,13 @@ namespace shading::test {
 enum class Core { kModel, kRtl };
 inline constexpr std::array<Core, 2> kBothCores = {Core::kModel, Core::kRtl};
 
+struct Setup {
+  Core core = Core::kModel;
+  ShadingDevice::Options options;
+  sc_core::sc_time quantum;
+  sc_core::sc_time memory_latency;
+};
+
 // Between device and memory: notes when each burst arrives, with its annotated delay.
 class BusMonitor : public sc_core::sc_module {
  public:
@@ -36,7 +43,7 @@ class Platform : public sc_core::sc_module {
  public:
   static constexpr uint64_t kMemory = 1 << 21;  // bytes
 
-  Platform(const sc_core::sc_module_name& name, Core core, const ShadingDevice::Options& options);
+  Platform(const sc_core::sc_module_name& name, const Setup& setup);
 
   tlm_utils::simple_initiator_socket<Platform> device_socket, memory_socket;
   std::unique_ptr<ShadingDevice> device;
@@ -81,12 +88,6 @@ struct Outcome {
   std::vector<uint8_t> memory;
   sc_core::sc_time end;   // when the last thing happened
   bool finished = false;  // every body returned
-};
-
-struct Setup {
-  Core core = Core::kModel;
-  ShadingDevice::Options options;
-  sc_core::sc_time quantum;
 };
 
 // Runs each body in a SystemC thread, in a simulation of its own, until nothing happens any more.
