@@ -58,7 +58,7 @@ catch_in_model() {
 
 missed=0
 printf '| fault | file | caught by |\n|---|---|---|\n'
-while IFS=';' read -r name file command; do
+while IFS=';' read -r -u 3 name file command; do
   [[ $name != \#* && $name =~ $pattern ]] || continue
   file=${file# }
   sed -i -- "${command# }" "$copy/$file"
@@ -72,5 +72,5 @@ while IFS=';' read -r name file command; do
   printf '| %s | %s | %s |\n' "$name" "$file" "${caught:-**not caught**}"
   [[ -n $caught ]] || missed=1
   cp -- "$file" "$copy/$file"
-done <tests/faults/faults.txt
+done 3<tests/faults/faults.txt
 exit "$missed"

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Synthesises the units with Yosys (slang front end) and prints what they cost on an ECP5.
+// Run by scripts/synth.sh, which provides the package.
+import { readdirSync, readFileSync } from 'node:fs';
+import { runYosys } from '@yowasp/yosys';
+
+const rtl = process.argv[2];
+const files = {};
+for (const folder of ['pkg', 'raster', 'intensity', '.']) {
+  for (const name of readdirSync(`${rtl}/${folder}`)) {
+    if (name.endsWith('.sv')) files[name] = readFileSync(`${rtl}/${folder}/${name}`, 'utf8');
+  }
+}
+const packages = ['fixed_pkg.sv', 'shading_pkg.sv'];
+const sources = [...packages, ...Object.keys(files).filter((name) => !packages.includes(name))];
+
+async function yosys(top, methods, commands) {
+  const parameters = methods ? `-G Methods=${methods}` : '';
+  let log = '';
+  const keep = (bytes) => { if (bytes) log += new TextDecoder().decode(bytes); };
+  await runYosys(
+    ['-p', `read_slang -j 1 --top ${top} ${parameters} -D SYNTHESIS ${sources.join(' ')}; ${commands}`],
+    files, { stdout: keep, stderr: keep });
+  return log;
+}
+
+const count = (log, cell) => {
+  const rows = [...log.matchAll(new RegExp(`^ +(\\d+) +\\S* *${cell}$|^ +${cell} +(\\d+)$`, 'gm'))];
+  return rows.length ? Number(rows.at(-1)[1] ?? rows.at(-1)[2]) : 0;
+};
+
+const tops = [['flat_color'], ['gouraud_interpolator'], ['quad_surface'], ['pixel_walker'],
+  ['span_setup'], ['shading_unit', "3'b001"], ['shading_unit', "3'b010"],
+  ['shading_unit', "3'b100"], ['shading_unit', "3'b111"]];
+console.log('| unit | Methods | LUT4 | flip-flops | carry cells | 18x18 multipliers |');
+console.log('|---|---|--:|--:|--:|--:|');
+for (const [top, methods] of tops) {
+  const log = await yosys(top, methods, 'synth_ecp5 -noabc9; stat');
+  const cells = ['LUT4', 'TRELLIS_FF', 'CCU2C', 'MULT18X18D'].map((cell) => count(log, cell));
+  console.log(`| ${top} | ${methods ?? ''} | ${cells.join(' | ')} |`);
+  if (top === 'quad_surface' && cells[3] !== 0) throw new Error('quad_surface has a multiplier');
+  if (cells[1] === 0) throw new Error(`${top}: no registers found; the log has changed its form`);
+}
