@@ -20,9 +20,9 @@ namespace shading {
 
 // Every unit, in the order in which a triangle meets them.
 inline constexpr std::array<UnitContract, 12> kContracts = {
-    TriangleSetup::kContract,       SpanWalker::kContract,    SpecularPower::kContract,
-    MeanCosines::kContract,         VertexLight::kContract,   SurfaceFit::kContract,
-    SpanSetup::kContract,           PixelWalker::kContract,   FlatColor::kContract,
-    GouraudInterpolator::kContract, QuadSurface::kContract,   ShadingUnit::kContract};
+    TriangleSetup::kContract,       SpanWalker::kContract,  SpecularPower::kContract,
+    MeanCosines::kContract,         VertexLight::kContract, SurfaceFit::kContract,
+    SpanSetup::kContract,           PixelWalker::kContract, FlatColor::kContract,
+    GouraudInterpolator::kContract, QuadSurface::kContract, ShadingUnit::kContract};
 
 }  // namespace shading

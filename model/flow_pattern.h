@@ -28,12 +28,16 @@ class FlowPattern {
   int64_t Rank(int64_t cycle) const {
     return cycle / period() * count() + rank_[static_cast<size_t>(cycle % period())];
   }
-  // The willing cycle that has `rank` willing cycles before it: Select(Rank(c)) is the first willing
-  // cycle at or after c.
+  // The willing cycle that has `rank` willing cycles before it: Select(Rank(c)) is the first
+  // willing cycle at or after c.
   int64_t Select(int64_t rank) const {
     return rank / count() * period() + willing_[static_cast<size_t>(rank % count())];
   }
   int64_t Next(int64_t cycle) const { return always() ? cycle : Select(Rank(cycle)); }
+
+  // Triangles and spans follow one source pattern, triangles a few cycles ahead in it, so that each
+  // meets the other early and late.
+  static constexpr int64_t kTriangleLead = 3;
 
   int64_t longest_gap() const { return longest_gap_; }  // unwilling cycles in a row
 

@@ -12,7 +12,9 @@ ShadingClock::ShadingClock(Method method, FlowPattern source, FlowPattern sink)
     : steps_(SpanSetup::Steps(method)), source_(std::move(source)), sink_(std::move(sink)) {}
 
 void ShadingClock::Triangle() {
-  triangle_taken_ = std::max(source_.Next(triangle_taken_ + 1), triangle_released_);
+  constexpr int64_t kLead = FlowPattern::kTriangleLead;
+  const int64_t offered = source_.Next(triangle_taken_ + 1 + kLead) - kLead;
+  triangle_taken_ = std::max(offered, triangle_released_);
 }
 
 SpanTiming ShadingClock::Span(int length, bool last) {

@@ -13,7 +13,7 @@ namespace shading {
 // Twins of the typedefs in rtl/pkg/shading_pkg.sv: what each number means.
 using Code = U<8, 0>;           // displayed intensity, round(255 I)
 using Intensity = U<8, 16>;     // node value in codes (255 = full scale), 16 fraction bits
-using IntensityAcc = S<9, 26>;  // intensity in codes for recurrences; wraps, see triangle_setup
+using IntensityAcc = S<9, 26>;  // intensity in codes for recurrences; wraps, see surface_fit
 using Depth = U<0, 24>;         // [0, 1), smaller is nearer
 using DepthAcc = S<1, 38>;      // depth with 14 guard bits, for the step along a span
 
@@ -31,7 +31,8 @@ inline constexpr std::string_view Name(Method method) {
 inline constexpr unsigned Bit(Method method) { return 1u << static_cast<unsigned>(method); }
 
 // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes, one colour channel;
-// x, y in pixels from the triangle's origin, -4095..4095. F carries the half code that makes truncation round.
+// x, y in pixels from the triangle's origin, -4095..4095. F carries the half code that makes
+// truncation round.
 struct Surface {
   IntensityAcc a, b, c, d, e, f;
 };
@@ -45,9 +46,9 @@ struct TriangleState {
 
 // A run of pixels of one triangle on one scanline.
 struct SpanCommand {
-  int x = 0, y = 0;  // first pixel, on the screen
-  int length = 0;    // pixels, 1..4096
-  DepthAcc z;        // depth at the first pixel's centre, plus half an ulp of Depth
+  int x = 0, y = 0;   // first pixel, on the screen
+  int length = 0;     // pixels, 1..4096
+  DepthAcc z;         // depth at the first pixel's centre, plus half an ulp of Depth
   bool last = false;  // last span of its triangle
 };
 

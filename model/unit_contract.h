@@ -12,7 +12,7 @@ struct UnitContract {
   int interval_cycles;    // initiation interval: cycles between two accepted inputs
   const char* input;      // formats
   const char* output;     // formats
-  double max_error_ulp;   // model to ideal, in ulp of the output format, within `valid_for`
+  double max_error_ulp;   // model to ideal; of the output format, or of what `valid_for` names
   const char* valid_for;  // range of inputs for which the error bound holds
 };
 

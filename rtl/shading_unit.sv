@@ -5,9 +5,9 @@
 //   triangle, span -> span_setup -> pixel_walker + (flat_color | gouraud_interpolator |
 //                                                   quad_surface) x 3 -> pixel
 //
-// Methods   A build contains only the hardware of the methods in Methods; a frame names one of them.
+// Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
 // Timing    1 pixel per cycle. Span set-up overlaps the previous span: no bubble between spans of
-//           8 pixels or more. First pixel of an idle unit: span_setup latency + 1 after its span.
+//           5 pixels or more. First pixel of an idle unit: span_setup latency + 1 after its span.
 // Streams   ready/valid; valid does not wait for ready, a payload holds until taken. A frame is
 //           taken when the unit is empty; while one waits, no further triangle is taken.
 // Formats   shading_pkg. Pixels leave in the order of the spans, left to right.

@@ -18,9 +18,11 @@ Image FrameBuffer::ToImage() const {
 
 bool PictureConsumer::Consume(const TimedPixel* pixels, size_t count) {
   for (size_t i = 0; i < count; ++i) {
-    if (span_ == work_.spans.size()) return false;
-    frame_buffer_->Put(pixels[i].pixel, static_cast<int32_t>(work_.packet[triangle_]));
-    if (pixels[i].pixel.last && work_.spans[span_++].last) ++triangle_;
+    const Pixel& pixel = pixels[i].pixel;
+    const bool on_screen = pixel.x < frame_buffer_->width() && pixel.y < frame_buffer_->height();
+    if (span_ == work_.spans.size() || !on_screen) return false;
+    frame_buffer_->Put(pixel, static_cast<int32_t>(work_.packet[triangle_]));
+    if (pixel.last && work_.spans[span_++].last) ++triangle_;
   }
   return true;
 }

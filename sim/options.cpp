@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <stdexcept>
 #include <thread>
 
@@ -18,6 +18,7 @@ namespace {
 // What the parser fills as text and Finish() turns into Options.
 struct Words {
   std::string method = "quad", size, rotate, light, camera = "ortho";
+  std::string lighting = "blinn", cull = "back", engine = "rtl";
   int lanes = 1;
   double tolerance = 0.5;
 };
@@ -52,18 +53,15 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
            ->check(CLI::IsMember({"ortho", "persp"})));
   view(command->add_option("--rotate", w->rotate, "YAW,PITCH in degrees"));
   view(command->add_option("--light", w->light, "X,Y,Z towards the light: right, up, to viewer"));
-  const std::map<std::string, Lighting> lighting = {{"blinn", Lighting::kBlinn},
-                                                    {"phong", Lighting::kPhong}};
-  view(command->add_option("--lighting", o->view.lighting, "specular cosine: blinn or phong")
-           ->transform(CLI::Transformer(lighting).description(""))
-           ->option_text("blinn|phong"));
-  const std::map<std::string, Cull> cull = {{"back", Cull::kBack}, {"none", Cull::kNone}};
-  view(command->add_option("--cull", o->view.cull, "back or none")
-           ->transform(CLI::Transformer(cull).description(""))
-           ->option_text("back|none"));
-  command->add_option("--lanes", w->lanes, "pixels per cycle: 1")->check(CLI::IsMember({1}));
-  command->add_option("--tolerance", w->tolerance,
-                      "LSB that an adaptive method may spend; flat, gouraud and quad spend none")
+  view(command->add_option("--lighting", w->lighting, "specular cosine: N.H or R.V")
+           ->check(CLI::IsMember({"blinn", "phong"})));
+  view(command->add_option("--cull", w->cull, "which faces to drop")
+           ->check(CLI::IsMember({"back", "none"})));
+  command->add_option("--lanes", w->lanes, "pixels per cycle: 1 (no method has 4 yet)")
+      ->check(CLI::IsMember({1}));
+  command
+      ->add_option("--tolerance", w->tolerance,
+                   "LSB that an adaptive method may spend; flat, gouraud and quad spend none")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--triangles-out", o->triangles_out, "write the packets, .jsonl");
 }
@@ -75,9 +73,49 @@ void AddRunOptions(CLI::App* command, Options* o) {
       ->capture_default_str();
   command->add_option("--trace", o->trace, "write a waveform, .fst (one scene, one method)");
   command->add_option("--json", o->json, "write the numbers");
-  command->add_option("--jobs", o->jobs, "threads")->capture_default_str()->check(
-      CLI::Range(1, 256));
+  command->add_option("--jobs", o->jobs, "threads")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 256));
   command->add_flag("--quiet", o->quiet, "print errors only");
+}
+
+void AddRender(CLI::App* app, Options* o, Words* w) {
+  CLI::App* render = app->add_subcommand("render", "simulate and write a picture");
+  render->callback([o] { o->command = Command::kRender; });
+  render->footer("Example: shadesim render builtin:mixed --method quad -o mixed.png");
+  AddSceneOptions(render, o, w);
+  render->add_option("-o,--output", o->image, "picture: .png, .exr, .tif ...")->required();
+  render->add_option("--engine", w->engine, "who computes the pixels")
+      ->check(CLI::IsMember({"model", "rtl", "ideal"}))
+      ->capture_default_str();
+  AddRunOptions(render, o);
+}
+
+void AddVerify(CLI::App* app, Options* o, Words* w) {
+  CLI::App* verify = app->add_subcommand("verify", "compare the RTL with the model, bit and cycle");
+  verify->callback([o] { o->command = Command::kVerify; });
+  verify->footer("Example: shadesim verify --random 20000 --method all --backpressure random");
+  AddSceneOptions(verify, o, w);
+  verify->add_option("--random", o->random, "random triangles instead of a scene")
+      ->check(CLI::Range(int64_t{1}, int64_t{1000000000}));
+  AddRunOptions(verify, o);
+}
+
+void AddCycles(CLI::App* app, Options* o, Words* w) {
+  CLI::App* cycles = app->add_subcommand("cycles", "count cycles per span and where they went");
+  cycles->callback([o] { o->command = Command::kCycles; });
+  cycles->footer("Example: shadesim cycles builtin:torus --method all --csv spans.csv");
+  AddSceneOptions(cycles, o, w);
+  cycles->add_option("--csv", o->csv, "write a line per span");
+  AddRunOptions(cycles, o);
+}
+
+void AddList(CLI::App* app, Options* o) {
+  CLI::App* list = app->add_subcommand("list", "methods, units and built-in scenes");
+  list->callback([o] { o->command = Command::kList; });
+  list->footer("Example: shadesim list --json units.json");
+  list->add_option("--json", o->json, "write the tables");
+  list->add_flag("--quiet", o->quiet, "print errors only");
 }
 
 std::vector<Method> Methods(const std::string& word) {
@@ -91,6 +129,11 @@ std::vector<Method> Methods(const std::string& word) {
 void Finish(const Words& w, Options* o) {
   o->methods = Methods(w.method);
   o->view.perspective = w.camera == "persp";
+  o->view.lighting = w.lighting == "phong" ? Lighting::kPhong : Lighting::kBlinn;
+  o->view.cull = w.cull == "none" ? Cull::kNone : Cull::kBack;
+  o->engine = w.engine == "model"   ? Engine::kModel
+              : w.engine == "ideal" ? Engine::kIdeal
+                                    : Engine::kRtl;
   if (!w.size.empty()) {
     const auto size = Numbers("--size", w.size, 'x', 2);
     for (const double side : size) {
@@ -120,6 +163,9 @@ void Check(const Options& o) {
   if (!o.scenes.empty() && o.random > 0) Refuse("take a SCENE or --random N, not both");
   const bool one_run = o.scenes.size() == 1 && o.OneMethod();
   if (!o.trace.empty() && !one_run) Refuse("--trace takes one SCENE and one --method");
+  if (!o.trace.empty() && std::filesystem::path(o.trace).extension() != ".fst") {
+    Refuse(fmt::format("--trace writes .fst files, not '{}'", o.trace));
+  }
   if (!o.trace.empty() && o.engine != Engine::kRtl) Refuse("--trace needs --engine rtl");
   if (!o.triangles_out.empty() && o.scenes.size() != 1) Refuse("--triangles-out takes one SCENE");
   o.Sink();
@@ -132,8 +178,10 @@ FlowPattern Options::Sink() const {
     if (backpressure == "none") return FlowPattern::Always();
     if (backpressure == "quarter") return FlowPattern::OneInFour();
     if (backpressure == "random") return FlowPattern::Random(seed);
+    if (!std::filesystem::is_regular_file(backpressure)) {
+      return FlowPattern::Recorded(backpressure);
+    }
     std::ifstream file(backpressure);
-    if (!file) return FlowPattern::Recorded(backpressure);
     std::string bits{std::istreambuf_iterator<char>(file), {}};
     bits.erase(std::remove_if(bits.begin(), bits.end(),
                               [](char c) { return std::isspace(static_cast<unsigned char>(c)); }),
@@ -152,33 +200,10 @@ std::optional<Options> ParseOptions(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", SHADESIM_VERSION);
 
-  CLI::App* render = app.add_subcommand("render", "simulate and write a picture");
-  render->footer("Example: shadesim render builtin:mixed --method quad -o mixed.png");
-  AddSceneOptions(render, &o, &w);
-  render->add_option("-o,--output", o.image, "picture: .png, .exr, .tif ...")->required();
-  const std::map<std::string, Engine> engine = {
-      {"model", Engine::kModel}, {"rtl", Engine::kRtl}, {"ideal", Engine::kIdeal}};
-  render->add_option("--engine", o.engine, "who computes the pixels: model, rtl or ideal")
-      ->transform(CLI::Transformer(engine).description(""))
-      ->option_text("model|rtl|ideal");
-  AddRunOptions(render, &o);
-
-  CLI::App* verify = app.add_subcommand("verify", "compare the RTL with the model, bit and cycle");
-  verify->footer("Example: shadesim verify --random 20000 --method all --backpressure random");
-  AddSceneOptions(verify, &o, &w);
-  verify->add_option("--random", o.random, "random triangles instead of a scene")
-      ->check(CLI::Range(int64_t{1}, int64_t{1000000000}));
-  AddRunOptions(verify, &o);
-
-  CLI::App* cycles = app.add_subcommand("cycles", "count cycles per span and where they went");
-  cycles->footer("Example: shadesim cycles builtin:torus --method all --csv spans.csv");
-  AddSceneOptions(cycles, &o, &w);
-  cycles->add_option("--csv", o.csv, "write a line per span");
-  AddRunOptions(cycles, &o);
-
-  CLI::App* list = app.add_subcommand("list", "methods, units and built-in scenes");
-  list->footer("Example: shadesim list --json units.json");
-  list->add_option("--json", o.json, "write the tables");
+  AddRender(&app, &o, &w);
+  AddVerify(&app, &o, &w);
+  AddCycles(&app, &o, &w);
+  AddList(&app, &o);
 
   try {
     app.parse(argc, argv);
@@ -186,10 +211,6 @@ std::optional<Options> ParseOptions(int argc, char** argv) {
     app.exit(asked);
     return std::nullopt;
   }
-  o.command = render->parsed()   ? Command::kRender
-              : verify->parsed() ? Command::kVerify
-              : cycles->parsed() ? Command::kCycles
-                                 : Command::kList;
   Finish(w, &o);
   Check(o);
   return o;

@@ -75,8 +75,7 @@ PictureError ErrorAgainstPhong(const FrameBuffer& picture, const TriangleList& l
 PictureError ErrorAgainstClosedForm(const FrameBuffer& picture, const TriangleList& list,
                                     Method method) {
   ErrorSum sum(picture);
-  ForEachPixel(picture, list, method,
-               [&](size_t at, const ideal::Rgb& exact) { sum(at, exact); });
+  ForEachPixel(picture, list, method, [&](size_t at, const ideal::Rgb& exact) { sum(at, exact); });
   return sum.Result();
 }
 

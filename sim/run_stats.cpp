@@ -41,12 +41,12 @@ Json ToJson(const RunStats& run) {
   json["triangles"] = run.triangles;
   json["spans"] = run.spans;
   json["pixels"] = run.counters.pixels;
-  if (run.engine != "ideal") {
-    json["cycles"] = run.cycles;
-    json["cycles_per_pixel"] = PerPixel(run);
-    json["setup_cycles"] = run.counters.setup;
-    json["stall_cycles"] = run.counters.stall;
-  }
+  // null: this engine or command does not measure it.
+  const bool timed = run.engine != "ideal";
+  json["cycles"] = timed ? Json(run.cycles) : Json();
+  json["cycles_per_pixel"] = timed ? Json(PerPixel(run)) : Json();
+  json["setup_cycles"] = timed ? Json(run.counters.setup) : Json();
+  json["stall_cycles"] = timed ? Json(run.counters.stall) : Json();
   json["skipped"] = {{"back_facing", run.skipped.back_facing},
                      {"degenerate", run.skipped.degenerate},
                      {"off_screen", run.skipped.off_screen},
@@ -82,9 +82,8 @@ void KeepWorst(const std::optional<PictureError>& other, std::optional<PictureEr
 }  // namespace
 
 void Comparison::Add(const tb::Verdicts& v) {
-  Comparison one{v.pixels_expected, v.pixels_compared, v.pixel_mismatches,
-                 v.spans_expected,  v.spans_compared,  v.cycle_mismatches,
-                 v.Good() ? 0 : 1};
+  Comparison one{v.pixels_expected, v.pixels_compared,  v.pixel_mismatches, v.spans_expected,
+                 v.spans_compared,  v.cycle_mismatches, v.Good() ? 0 : 1};
   Add(one);
 }
 
@@ -147,16 +146,18 @@ void WriteJson(const std::string& path, const std::vector<RunStats>& runs) {
 }
 
 std::string Summary(const RunStats& run) {
-  std::string text = fmt::format("{} {} {}: {} triangles, {} spans, {} pixels", run.scene,
-                                 run.method, run.engine, run.triangles, run.spans,
-                                 run.counters.pixels);
+  std::string text =
+      fmt::format("{} {} {}: {} triangles, {} spans, {} pixels", run.scene, run.method, run.engine,
+                  run.triangles, run.spans, run.counters.pixels);
   if (run.engine != "ideal") {
     text += fmt::format(", {} cycles ({:.3f} per pixel)", run.cycles, PerPixel(run));
   }
   if (run.skipped.total() > 0) {
-    text += fmt::format("\n  skipped {} triangles: {} back-facing, {} degenerate, {} off screen, {} empty",
-                        run.skipped.total(), run.skipped.back_facing, run.skipped.degenerate,
-                        run.skipped.off_screen, run.skipped.empty);
+    text += fmt::format(
+        "\n  skipped {} triangles: {} back-facing, {} degenerate, {} off screen, "
+        "{} empty",
+        run.skipped.total(), run.skipped.back_facing, run.skipped.degenerate,
+        run.skipped.off_screen, run.skipped.empty);
   }
   if (run.comparison) {
     const Comparison& c = *run.comparison;
@@ -173,8 +174,8 @@ std::string Summary(const RunStats& run) {
   error("Phong per pixel", run.phong_error);
   error("its closed form", run.closed_form_error);
   if (run.sim_seconds > 0) {
-    text += fmt::format("\n  {:.2f} s, {:.1f} M pixels/s", run.sim_seconds,
-                        PixelsPerSecond(run) / 1e6);
+    text +=
+        fmt::format("\n  {:.2f} s, {:.1f} M pixels/s", run.sim_seconds, PixelsPerSecond(run) / 1e6);
   }
   return text;
 }

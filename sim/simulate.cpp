@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <stdexcept>
 
 #include "model/raster/front_end.h"
 #include "sim/io/packet_file.h"
 #include "sim/scene/builtin.h"
 #include "sim/scene/import.h"
+#include "sim/stopwatch.h"
 
 namespace shading::sim {
 namespace {
@@ -17,16 +17,6 @@ namespace {
 bool EndsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
-
-class Stopwatch {
- public:
-  double Seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 
@@ -66,6 +56,7 @@ RunStats RunModel(const FrameWork& work, const FlowPattern& sink, tb::PixelConsu
   std::vector<Pixel> pixels(kMaxScreen);
   std::vector<TimedPixel> timed(kMaxScreen);
   RunStats stats;
+  stats.cycles = 1;  // an empty frame
   size_t triangle = 0;
   bool open = false;
   for (const SpanCommand& span : work.spans) {
@@ -88,12 +79,12 @@ RunStats RunRtl(const FrameWork& work, const FlowPattern& sink, const std::strin
   const Stopwatch watch;
   tb::Observation observation;
   observation.trace = trace;
-  const tb::RtlResult result = tb::RtlShadingUnit::Create(work.method)->Run(
-      work, FlowPattern::Always(), sink, consumer, observation);
+  const tb::RtlResult result = tb::RtlShadingUnit::Create(work.method)
+                                   ->Run(work, FlowPattern::Always(), sink, consumer, observation);
   if (!result.finished || result.pixels != work.pixels) {
-    throw std::runtime_error(fmt::format("RTL: {} of {} pixels; {}", result.pixels, work.pixels,
-                                         result.failure.empty() ? "run shadesim verify"
-                                                                : result.failure));
+    throw std::runtime_error(
+        fmt::format("RTL: {} of {} pixels; {}", result.pixels, work.pixels,
+                    result.failure.empty() ? "run shadesim verify" : result.failure));
   }
   RunStats stats;
   stats.cycles = result.cycles;
@@ -110,8 +101,8 @@ Checked RunChecked(const FrameWork& work, const FlowPattern& source, const FlowP
   if (record_spans) scoreboard.RecordSpans(&checked.spans);
   tb::Observation observation;
   observation.trace = trace;
-  const tb::RtlResult result = tb::RtlShadingUnit::Create(work.method)->Run(
-      work, source, sink, &scoreboard, observation);
+  const tb::RtlResult result =
+      tb::RtlShadingUnit::Create(work.method)->Run(work, source, sink, &scoreboard, observation);
   checked.verdicts = scoreboard.Finish(result);
   checked.stats.cycles = result.cycles;
   checked.stats.counters = result.counters;

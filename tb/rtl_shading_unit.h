@@ -29,8 +29,8 @@ struct Observation {
 
 struct RtlResult {
   int64_t pixels = 0;
-  int64_t cycles = 0;   // from the acceptance of the frame until the unit is empty
-  Counters counters;    // as the hardware counted them
+  int64_t cycles = 0;             // from the acceptance of the frame until the unit is empty
+  Counters counters;              // as the hardware counted them
   std::optional<SpanSeed> probe;  // the seed asked for, as the hardware had it
   bool finished = false;
   std::string failure;  // why not, when the unit stopped responding

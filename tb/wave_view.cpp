@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 namespace shading::tb {
 namespace {
@@ -48,6 +49,8 @@ std::string WriteWaveView(const std::string& waveform) {
   for (const std::string signal : kSignals) {
     file << (signal[0] == '-' ? "@200\n" + signal : "@24\nTOP.shading_unit." + signal) << '\n';
   }
+  file.close();
+  if (!file) throw std::runtime_error(name + ": cannot be written; is the disk full?");
   return name;
 }
 

@@ -8,6 +8,7 @@
 #include "sim/commands/commands.h"
 #include "sim/io/atomic_file.h"
 #include "sim/parallel.h"
+#include "sim/progress.h"
 #include "sim/simulate.h"
 #include "tb/scoreboard/mismatch_report.h"
 
@@ -23,7 +24,7 @@ struct CyclesRun {
 // the pixel before it to the exit of its own last pixel, so that they add up to the frame's.
 template <typename Visit>
 void ForEachSpan(const CyclesRun& run, const Visit& visit) {
-  int64_t rtl_before = 0, model_before = 0;
+  int64_t rtl_before = -1, model_before = -1;  // cycle 0 counts
   size_t triangle = 0;
   for (size_t k = 0; k < run.checked.spans.size(); ++k) {
     const tb::SpanRecord& record = run.checked.spans[k];
@@ -95,6 +96,7 @@ int Cycles(const Options& options) {
   const std::vector<Frame> frames = LoadFrames(options);
   const FlowPattern source = FlowPattern::Always(), sink = options.Sink();
   std::vector<CyclesRun> runs(frames.size() * options.methods.size());
+  Progress progress("cycles", static_cast<int64_t>(runs.size()), options.quiet);
   ParallelFor(options.jobs, static_cast<int>(runs.size()), [&](int i) {
     const auto at = static_cast<size_t>(i);
     const Frame& frame = frames[at / options.methods.size()];
@@ -102,6 +104,7 @@ int Cycles(const Options& options) {
     run.work = FrontEnd::Run(frame.list, options.methods[at % options.methods.size()]);
     run.checked = RunChecked(run.work, source, sink, options.trace, true);
     Describe(frame, run.work, "rtl", &run.checked.stats);
+    progress.Step();
   });
 
   bool good = true;

@@ -25,11 +25,12 @@ void PrintTables() {
   }
   fmt::print(
       "\nUnits: latency and initiation interval in cycles (0: not in hardware yet), "
-      "error bound in ulp of the output\n");
+      "error bound and where it holds\n");
   for (const UnitContract& unit : kContracts) {
-    fmt::print("  {:20} {:9} latency {} interval {} error <= {:<8.3g} in: {}; out: {}\n", unit.name,
-               unit.group, unit.latency_cycles, unit.interval_cycles, unit.max_error_ulp,
-               unit.input, unit.output);
+    fmt::print("  {:20} {:9} latency {} interval {} in: {}; out: {}\n", unit.name, unit.group,
+               unit.latency_cycles, unit.interval_cycles, unit.input, unit.output);
+    fmt::print("  {:20} {:9} error <= {:.3g} ulp, {}\n", "", "", unit.max_error_ulp,
+               unit.valid_for);
   }
   fmt::print("\nBuilt-in scenes: builtin:NAME or builtin:NAME:N\n");
   for (const BuiltinScene& scene : kBuiltinScenes) {
@@ -65,10 +66,10 @@ void WriteTables(const std::string& path) {
 }  // namespace
 
 int List(const Options& options) {
-  if (options.json.empty()) {
-    PrintTables();
-  } else {
+  if (!options.json.empty()) {
     WriteTables(options.json);
+  } else if (!options.quiet) {
+    PrintTables();
   }
   return 0;
 }

@@ -8,6 +8,7 @@
 #include "sim/parallel.h"
 #include "sim/progress.h"
 #include "sim/simulate.h"
+#include "sim/stopwatch.h"
 
 namespace shading::sim {
 namespace {
@@ -28,7 +29,11 @@ RunStats RenderOne(const Frame& frame, Method method, const Options& options,
   FrameBuffer picture(frame.list.frame.width, frame.list.frame.height);
   RunStats stats = Simulate(work, options, &picture);
   // The ideal engine takes coverage and depth from the model, whose edges are exact.
-  if (options.engine == Engine::kIdeal) ShadeIdeally(frame.list, method, &picture);
+  if (options.engine == Engine::kIdeal) {
+    const Stopwatch watch;
+    ShadeIdeally(frame.list, method, &picture);
+    stats.sim_seconds = watch.Seconds();
+  }
   Describe(frame, work, kEngineName[static_cast<int>(options.engine)], &stats);
   stats.phong_error = ErrorAgainstPhong(picture, frame.list);
   stats.closed_form_error = ErrorAgainstClosedForm(picture, frame.list, method);

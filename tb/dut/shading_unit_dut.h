@@ -39,7 +39,8 @@ class ShadingUnitDut : public RtlShadingUnit {
       const bool taken = Observe(&feed, &batch, cycle, &result);
       if (taken) deadline = cycle + patience;
       if (observation.probe_span >= 0) Probe(observation.probe_span, &result);
-      if (cycle == 0 && !top_->frame_ready_o) result.failure = "the unit was not empty when its frame came";
+      if (cycle == 0 && !top_->frame_ready_o)
+        result.failure = "the unit was not empty when its frame came";
       if (cycle > deadline) result.failure = Stuck(feed, cycle);
       if (batch.stop) result.failure = "stopped by the consumer";
       result.finished = cycle > 0 && !taken && feed.Done() && top_->frame_ready_o;
@@ -61,9 +62,7 @@ class ShadingUnitDut : public RtlShadingUnit {
     const FrameWork* work;
     const FlowPattern* source;
     size_t triangle = 0, span = 0;
-    bool Done() const {
-      return triangle == work->triangles.size() && span == work->spans.size();
-    }
+    bool Done() const { return triangle == work->triangles.size() && span == work->spans.size(); }
   };
 
   // Pixels on their way to the consumer.
@@ -101,14 +100,15 @@ class ShadingUnitDut : public RtlShadingUnit {
     top_->trace(trace_.get(), 99);
     trace_->open(observation.trace.c_str());
     if (!trace_->isOpen()) {
-      throw std::runtime_error(observation.trace + ": cannot be written; name a folder that exists");
+      throw std::runtime_error(observation.trace +
+                               ": cannot be written; name a folder that exists");
     }
   }
 
   void Offer(Feed* feed, int64_t cycle) {
     if (cycle == 0) return;
     if (!top_->triangle_valid_i && feed->triangle < feed->work->triangles.size() &&
-        feed->source->At(cycle)) {
+        feed->source->At(cycle + FlowPattern::kTriangleLead)) {
       DriveTriangle(feed->work->triangles[feed->triangle], top_->triangle_i);
       top_->triangle_valid_i = 1;
     }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 
 namespace shading::tb {
 namespace {
@@ -11,9 +12,16 @@ namespace {
 constexpr int64_t kWindow = 64;  // cycles before and after the first difference
 constexpr const char* kChannelName[kChannels] = {"red", "green", "blue"};
 
-class Discard : public PixelConsumer {
+// Ends the simulation some time after the window, also when the RTL never would.
+class UntilCycle : public PixelConsumer {
  public:
-  bool Consume(const TimedPixel* /*pixels*/, size_t /*count*/) override { return true; }
+  explicit UntilCycle(int64_t last) : last_(last) {}
+  bool Consume(const TimedPixel* pixels, size_t count) override {
+    return pixels[count - 1].cycle <= last_;
+  }
+
+ private:
+  int64_t last_;
 };
 
 std::string Field(const char* name, int64_t rtl, int64_t model) {
@@ -35,9 +43,9 @@ std::string SeedText(const SpanSeed& seed) {
                                  seed.z.raw(), seed.dz_dx.raw());
   for (size_t ch = 0; ch < kChannels; ++ch) {
     const ChannelSeed& c = seed.channel[ch];
-    text += fmt::format("      {:5} first {} second {} difference {} curvature {}\n",
-                        kChannelName[ch], c.first.raw(), c.second.raw(), c.difference.raw(),
-                        c.curvature.raw());
+    text +=
+        fmt::format("      {:5} first {} second {} difference {} curvature {}\n", kChannelName[ch],
+                    c.first.raw(), c.second.raw(), c.difference.raw(), c.curvature.raw());
   }
   return text;
 }
@@ -80,15 +88,19 @@ std::string ReportMismatch(const FrameWork& work, const Verdicts& verdicts,
   observation.trace = waveform;
   if (!verdicts.mismatches.empty()) {
     const Mismatch& m = verdicts.mismatches.front();
-    const auto [first, last] = std::minmax(m.actual.cycle, m.unexpected ? m.actual.cycle
-                                                                        : m.expected.cycle);
+    const auto [first, last] =
+        std::minmax(m.actual.cycle, m.unexpected ? m.actual.cycle : m.expected.cycle);
     observation.first = std::max<int64_t>(first - kWindow - m.index, 0);
     observation.last = last + kWindow;
     observation.probe_span = m.unexpected ? -1 : m.span;
   }
-  Discard discard;
-  const RtlResult again =
-      RtlShadingUnit::Create(work.method)->Run(work, source, sink, &discard, observation);
+  UntilCycle until(observation.last);
+  RtlResult again;
+  try {
+    again = RtlShadingUnit::Create(work.method)->Run(work, source, sink, &until, observation);
+  } catch (const std::exception& error) {
+    return text + fmt::format("  no waveform: {}\n", error.what());
+  }
   if (again.probe) {
     text += "    seed in the RTL: " + SeedText(*again.probe);
     text += "    seed in the model: " + SeedText(verdicts.mismatches.front().seed);

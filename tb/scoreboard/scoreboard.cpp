@@ -69,6 +69,13 @@ void Scoreboard::Keep(const TimedPixel& actual, bool unexpected) {
 
 const Verdicts& Scoreboard::Finish(const RtlResult& result) {
   verdicts_.failure = result.failure;
+  // The unit is empty in the cycle after its last pixel; an empty frame in the one after its start.
+  const int64_t cycles = next_span_ > 0 ? timing_.last_left + 1 : 1;
+  if (verdicts_.failure.empty() && !result.finished) verdicts_.failure = "the RTL did not run";
+  if (verdicts_.failure.empty() && result.cycles != cycles) {
+    verdicts_.failure = "the RTL was empty in cycle " + std::to_string(result.cycles) +
+                        ", the model in cycle " + std::to_string(cycles);
+  }
   verdicts_.counters_match = result.counters == model_.counters();
   return verdicts_;
 }

@@ -29,10 +29,10 @@ struct Verdicts {
   int64_t pixels_compared = 0;
   int64_t pixel_mismatches = 0;
   int64_t spans_expected = 0;
-  int64_t spans_compared = 0;  // all their pixels were compared
+  int64_t spans_compared = 0;    // all their pixels were compared
   int64_t cycle_mismatches = 0;  // spans with a pixel in another cycle than the model says
   bool counters_match = false;
-  std::string failure;           // why the simulation ended early
+  std::string failure;               // why the simulation ended early
   std::vector<Mismatch> mismatches;  // the first 20
 
   bool Good() const {

@@ -29,8 +29,8 @@ class Generator {
       packet.z[i] = VertexDepth::FromRaw(Integer(0, VertexDepth::kMaxRaw));
       packet.n[i] = Quantise(normal[i]);
     }
-    packet.material = static_cast<int>(
-        Integer(0, static_cast<int64_t>(frame_.materials.size()) - 1));
+    packet.material =
+        static_cast<int>(Integer(0, static_cast<int64_t>(frame_.materials.size()) - 1));
     last_ = corner;
     return packet;
   }
@@ -110,22 +110,23 @@ class Generator {
   std::array<Point, 3> Corners() {
     const Point a = Anywhere();
     switch (Integer(0, 11)) {
-      case 0: return {a, Near(a, kPixel), Near(a, kPixel)};                 // about one pixel
-      case 1: return {a, Near(a, 2), Anywhere()};                           // needle
+      case 0: return {a, Near(a, kPixel), Near(a, kPixel)};  // about one pixel
+      case 1: return {a, Near(a, 2), Anywhere()};            // needle
       case 2: return Sliver(a, Anywhere());
-      case 3: return {last_[1], last_[0], Near(last_[0], 40 * kPixel)};     // shared edge
+      case 3: return {last_[1], last_[0], Near(last_[0], 40 * kPixel)};  // shared edge
       case 4: return {last_[2], last_[1], Near(last_[1], 9 * kPixel)};
-      case 5: {                                                             // vertices on centres
+      case 5: {  // vertices on centres
         const Point b = OnCentre(a);
         return {b, OnCentre(Near(b, 20 * kPixel)), OnCentre(Near(b, 20 * kPixel))};
       }
       case 6: return OneIn(8) ? Huge() : std::array<Point, 3>{a, Near(a, 3000), Near(a, 3000)};
-      case 7: {                                                             // flat on one side
+      case 7: {  // flat on one side
         const Point b{a.x + Integer(1, 40 * kPixel), a.y};
         return {a, b, Near(a, 20 * kPixel)};
       }
-      case 8: return OneIn(4) ? std::array<Point, 3>{a, a, Anywhere()}      // zero area
-                              : std::array<Point, 3>{a, Near(a, 600), Near(a, 600)};
+      case 8:
+        return OneIn(4) ? std::array<Point, 3>{a, a, Anywhere()}  // zero area
+                        : std::array<Point, 3>{a, Near(a, 600), Near(a, 600)};
       default: return {a, Near(a, 12 * kPixel), Near(a, 12 * kPixel)};
     }
   }

@@ -95,8 +95,9 @@ class RatioReporter : public benchmark::ConsoleReporter {
       const double rtl = Rate("rtl_alone", method), checked = Rate("rtl_checked", method);
       const double model = Rate("model_alone", method);
       if (rtl == 0 || checked == 0 || model == 0) continue;
-      fmt::print("{:8} checking costs {:+.0f} % of RTL alone; model alone is {:.0f} times the RTL\n",
-                 Name(method), 100 * (rtl / checked - 1), model / rtl);
+      fmt::print(
+          "{:8} checking costs {:+.0f} % of RTL alone; model alone is {:.0f} times the RTL\n",
+          Name(method), 100 * (rtl / checked - 1), model / rtl);
     }
   }
 

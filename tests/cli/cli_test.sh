@@ -53,6 +53,11 @@ refuse 'light' render builtin:sphere -o a.png --light 1,2
 refuse 'light' render builtin:sphere -o a.png --light 0,0,0
 refuse 'light' render builtin:sphere -o a.png --light nan,0,1
 refuse 'camera' render builtin:sphere -o a.png --camera fisheye
+refuse 'engine' render builtin:sphere -o a.png --engine 7
+refuse 'lighting' render builtin:sphere -o a.png --lighting 5
+refuse 'cull' verify builtin:sphere --cull 9
+refuse 'fst' verify builtin:sphere --trace wave.gtkw
+refuse 'backpressure' verify builtin:sphere --backpressure .
 refuse 'lanes' verify builtin:sphere --lanes 3
 refuse 'backpressure' verify builtin:sphere --backpressure 000
 refuse 'backpressure' verify builtin:sphere --backpressure sometimes
@@ -93,9 +98,12 @@ accept verify builtin:saddle:3 --size 64x48 --backpressure pattern.txt
 accept verify builtin:saddle:3 --size 64x48 --trace wave.fst
 check 'a waveform was written' test -s wave.fst
 
-accept cycles builtin:saddle:3 --size 64x48 --method all --csv spans.csv
+accept cycles builtin:saddle:3 --size 64x48 --method all --csv spans.csv --json cycles.json
 check 'header of the CSV' test "$(head -n 1 spans.csv)" = \
   triangle,y,x,length,method,cycles_rtl,cycles_model,setup,stall
+check 'the cycles of the CSV add up to those of the frames' test \
+  "$(awk -F, 'NR > 1 { sum += $6 } END { print sum }' spans.csv)" = \
+  "$(grep -m1 '^  "cycles":' cycles.json | tr -dc 0-9)"
 check 'RTL and model agree in the CSV' \
   awk -F, 'NR > 1 && $6 != $7 { exit 1 } END { exit NR < 100 }' spans.csv
 

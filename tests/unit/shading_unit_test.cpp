@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
 
 #include "model/raster/front_end.h"
 #include "tb/rtl_shading_unit.h"
+#include "tb/scoreboard/mismatch_report.h"
 #include "tb/scoreboard/scoreboard.h"
 #include "tb/stimulus/random_triangles.h"
 
@@ -41,8 +44,7 @@ void ExpectGood(const tb::Verdicts& v, const std::string& where) {
   EXPECT_TRUE(v.Good()) << where << ": " << v.failure << " pixels " << v.pixels_compared << " of "
                         << v.pixels_expected << ", " << v.pixel_mismatches << " differ; spans "
                         << v.spans_compared << " of " << v.spans_expected << ", "
-                        << v.cycle_mismatches << " in other cycles; counters "
-                        << v.counters_match;
+                        << v.cycle_mismatches << " in other cycles; counters " << v.counters_match;
 }
 
 class ShadingUnitMethod : public testing::TestWithParam<Method> {};
@@ -52,8 +54,7 @@ TEST_P(ShadingUnitMethod, RtlMatchesModel) {
   int64_t pixels = 0;
   for (const Flow& flow : Flows()) {
     for (uint32_t seed = 1; seed <= kFrames; ++seed) {
-      const FrameWork work =
-          FrontEnd::Run(tb::RandomTriangles(seed, kTriangles), GetParam());
+      const FrameWork work = FrontEnd::Run(tb::RandomTriangles(seed, kTriangles), GetParam());
       const tb::Verdicts verdicts = Compare(smallest.get(), work, flow);
       ExpectGood(verdicts, std::string(flow.name) + ", seed " + std::to_string(seed));
       pixels += verdicts.pixels_compared;
@@ -62,21 +63,22 @@ TEST_P(ShadingUnitMethod, RtlMatchesModel) {
   EXPECT_GT(pixels, 1000000);
 }
 
-TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansOfEightPixels) {
-  // Spans of exactly 8 pixels, each its own triangle, so that triangle hand-over is in the path.
+TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansAsLongAsTheirSetup) {
+  // Each span is its own triangle, so that triangle hand-over is in the path.
+  const int length = SpanSetup::Steps(GetParam());
   FrameWork work;
   work.method = GetParam();
   for (int k = 0; k < 100; ++k) {
     work.triangles.emplace_back();
     work.packet.push_back(static_cast<uint32_t>(k));
-    work.spans.push_back({0, k, 8, {}, true});
-    work.pixels += 8;
+    work.spans.push_back({0, k, length, {}, true});
+    work.pixels += length;
   }
   const Flow flow = Flows().front();
   tb::Scoreboard scoreboard(work, flow.source, flow.sink);
   const auto rtl = tb::RtlShadingUnit::Create(GetParam());
   const tb::RtlResult result = rtl->Run(work, flow.source, flow.sink, &scoreboard, {});
-  ExpectGood(scoreboard.Finish(result), "spans of 8");
+  ExpectGood(scoreboard.Finish(result), "short spans");
   // The spans follow each other; what remains is the latency of the first one.
   EXPECT_EQ(result.counters.setup, SpanSetup::Steps(GetParam()) + 2);
   EXPECT_EQ(result.cycles, work.pixels + result.counters.setup + 2);
@@ -172,6 +174,59 @@ TEST(Scoreboard, FailsOnEachFieldAndOnTheCycle) {
   auto more = good.pixels;
   more.push_back(more.back());
   EXPECT_FALSE(verdict(more).Good());
+}
+
+TEST(MismatchReport, NamesTheFirstDifferenceAndWritesItsWaveform) {
+  const FrameWork work = FrontEnd::Run(tb::RandomTriangles(4, 200), Method::kQuad);
+  const auto always = FlowPattern::Always();
+  // The RTL is right, so the fault is put into what the scoreboard sees of it.
+  struct Tamper : tb::PixelConsumer {
+    explicit Tamper(tb::Scoreboard* to) : scoreboard(to) {}
+    bool Consume(const TimedPixel* pixels, size_t count) override {
+      std::vector<TimedPixel> copy(pixels, pixels + count);
+      if (!done) copy[40].pixel.g ^= 1;
+      done = true;
+      return scoreboard->Consume(copy.data(), count);
+    }
+    tb::Scoreboard* scoreboard;
+    bool done = false;
+  };
+  tb::Scoreboard scoreboard(work, always, always);
+  Tamper tamper(&scoreboard);
+  const auto result =
+      tb::RtlShadingUnit::Create(Method::kQuad)->Run(work, always, always, &tamper, {});
+  const tb::Verdicts verdicts = scoreboard.Finish(result);
+  ASSERT_FALSE(verdicts.Good());
+  ASSERT_EQ(verdicts.pixel_mismatches, 1);
+
+  const std::string wave = testing::TempDir() + "mismatch_report.fst";
+  std::remove(wave.c_str());
+  const std::string text = tb::ReportMismatch(work, verdicts, always, always, wave);
+  for (const char* word : {"quad triangle", "span", "pixel", "green: RTL", "coefficients",
+                           "seed in the RTL", "seed in the model", "waveform"}) {
+    EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
+  }
+  EXPECT_TRUE(std::ifstream(wave).good());
+  EXPECT_TRUE(std::ifstream(testing::TempDir() + "mismatch_report.gtkw").good());
+  // Operands of both sides are those of the same span.
+  const auto seed_at = text.find("seed in the RTL: ") + 17;
+  const auto model_at = text.find("seed in the model: ") + 19;
+  EXPECT_EQ(text.substr(seed_at, 60), text.substr(model_at, 60));
+
+  const std::string elsewhere =
+      tb::ReportMismatch(work, verdicts, always, always, "/no/such/folder/wave.fst");
+  EXPECT_NE(elsewhere.find("green: RTL"), std::string::npos);
+  EXPECT_NE(elsewhere.find("no waveform"), std::string::npos);
+}
+
+TEST(Scoreboard, FailsWhenTheUnitIsEmptyInAnotherCycle) {
+  const FrameWork work = OneSpan(Method::kFlat, 3);
+  const auto always = FlowPattern::Always();
+  tb::Scoreboard scoreboard(work, always, always);
+  tb::RtlResult result =
+      tb::RtlShadingUnit::Create(Method::kFlat)->Run(work, always, always, &scoreboard, {});
+  ++result.cycles;
+  EXPECT_FALSE(scoreboard.Finish(result).Good());
 }
 
 }  // namespace
