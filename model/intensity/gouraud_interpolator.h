@@ -24,7 +24,8 @@ class GouraudInterpolator {
   explicit GouraudInterpolator(const ChannelSeed& seed)
       : current_(Align(seed.first)), difference_(Align(seed.difference)) {}
 
-  uint8_t code() const { return ToCode(current_); }
+  uint8_t code() const { return ClampCode(whole()); }
+  int64_t whole() const { return WholeCodes(current_); }  // before the clamp
   void Step() { current_ += difference_; }
 
  private:

@@ -24,7 +24,8 @@ class QuadSurface {
   explicit QuadSurface(const ChannelSeed& seed)
       : current_(Align(seed.first)), next_(Align(seed.second)), curvature_(Align(seed.curvature)) {}
 
-  uint8_t code() const { return ToCode(current_); }
+  uint8_t code() const { return ClampCode(whole()); }
+  int64_t whole() const { return WholeCodes(current_); }  // before the clamp
   void Step() {
     const uint64_t ahead = 2 * next_ - current_ + curvature_;
     current_ = next_;

@@ -33,7 +33,9 @@ class PixelWalker {
   uint32_t z() const {
     constexpr int kShift = 64 - DepthAcc::kWidth + DepthAcc::kFraction - Depth::kFraction;
     const int64_t z = static_cast<int64_t>(z_) >> kShift;
-    return static_cast<uint32_t>(z < 0 ? 0 : z > Depth::kMaxRaw ? Depth::kMaxRaw : z);
+    // Out of range only by rounding: a branch that is nearly never taken costs least.
+    if (static_cast<uint64_t>(z) <= Depth::kMaxRaw) return static_cast<uint32_t>(z);
+    return z < 0 ? 0 : static_cast<uint32_t>(Depth::kMaxRaw);
   }
   void Step() {
     ++x_;

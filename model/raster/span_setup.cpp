@@ -8,6 +8,13 @@ namespace {
 uint64_t Bits(IntensityAcc value) { return static_cast<uint64_t>(value.raw()); }
 IntensityAcc Register(uint64_t bits) { return IntensityAcc::Wrap(static_cast<int64_t>(bits)); }
 
+ChannelSeed FlatSeed(const Surface& s, uint64_t /*x*/, uint64_t /*y*/) { return {s.f, {}, {}, {}}; }
+
+ChannelSeed GouraudSeed(const Surface& s, uint64_t x, uint64_t y) {
+  const uint64_t first = Bits(s.d) * x + Bits(s.e) * y + Bits(s.f);
+  return {Register(first), {}, s.d, {}};
+}
+
 ChannelSeed QuadSeed(const Surface& s, uint64_t x, uint64_t y) {
   const uint64_t ax = Bits(s.a) * x;
   const uint64_t row_x = ax + Bits(s.c) * y + Bits(s.d);
@@ -18,31 +25,30 @@ ChannelSeed QuadSeed(const Surface& s, uint64_t x, uint64_t y) {
           Register(2 * Bits(s.a))};
 }
 
-ChannelSeed GouraudSeed(const Surface& s, uint64_t x, uint64_t y) {
-  const uint64_t first = Bits(s.d) * x + Bits(s.e) * y + Bits(s.f);
-  return {Register(first), {}, s.d, {}};
+template <typename ChannelFunction>
+void SeedChannels(const TriangleState& triangle, const SpanCommand& span,
+                  const ChannelFunction& function, SpanSeed* seed) {
+  const auto x = static_cast<uint64_t>(span.x - triangle.origin_x);
+  const auto y = static_cast<uint64_t>(span.y - triangle.origin_y);
+  for (size_t ch = 0; ch < kChannels; ++ch) {
+    seed->channel[ch] = function(triangle.surface[ch], x, y);
+  }
 }
 
 }  // namespace
 
-SpanSeed SpanSetup::Seed(Method method, const TriangleState& triangle, const SpanCommand& span) {
-  SpanSeed seed;
-  seed.x = span.x;
-  seed.y = span.y;
-  seed.length = span.length;
-  seed.z = span.z;
-  seed.dz_dx = triangle.dz_dx;
-  const uint64_t x = static_cast<uint64_t>(span.x - triangle.origin_x);
-  const uint64_t y = static_cast<uint64_t>(span.y - triangle.origin_y);
-  for (size_t ch = 0; ch < kChannels; ++ch) {
-    const Surface& surface = triangle.surface[ch];
-    switch (method) {
-      case Method::kFlat: seed.channel[ch].first = surface.f; break;
-      case Method::kGouraud: seed.channel[ch] = GouraudSeed(surface, x, y); break;
-      case Method::kQuad: seed.channel[ch] = QuadSeed(surface, x, y); break;
-    }
+void SpanSetup::Seed(Method method, const TriangleState& triangle, const SpanCommand& span,
+                     SpanSeed* seed) {
+  seed->x = span.x;
+  seed->y = span.y;
+  seed->length = span.length;
+  seed->z = span.z;
+  seed->dz_dx = triangle.dz_dx;
+  switch (method) {
+    case Method::kFlat: return SeedChannels(triangle, span, FlatSeed, seed);
+    case Method::kGouraud: return SeedChannels(triangle, span, GouraudSeed, seed);
+    case Method::kQuad: return SeedChannels(triangle, span, QuadSeed, seed);
   }
-  return seed;
 }
 
 }  // namespace shading

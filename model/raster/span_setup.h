@@ -18,7 +18,7 @@ namespace shading {
 class SpanSetup {
  public:
   static constexpr UnitContract kContract = {
-      "span_setup", "raster", 7, 5, "coefficients S9.26, coordinates S12.0", "seed S9.26", 0,
+      "span_setup",      "raster", 7, 5, "coefficients S9.26, coordinates S12.0", "seed S9.26", 0,
       "results in S9.26"};
 
   // Products of one span, and cycles between two spans of the method.
@@ -26,7 +26,13 @@ class SpanSetup {
     return method == Method::kQuad ? 5 : method == Method::kGouraud ? 2 : 1;
   }
 
-  static SpanSeed Seed(Method method, const TriangleState& triangle, const SpanCommand& span);
+  static void Seed(Method method, const TriangleState& triangle, const SpanCommand& span,
+                   SpanSeed* seed);
+  static SpanSeed Seed(Method method, const TriangleState& triangle, const SpanCommand& span) {
+    SpanSeed seed;
+    Seed(method, triangle, span, &seed);
+    return seed;
+  }
 };
 
 }  // namespace shading

@@ -15,6 +15,16 @@ std::unique_ptr<ShadingDevice> NewDevice(Core core, const ShadingDevice::Options
   return std::make_unique<tb::RtlShadingUnitTlm>("device", options);
 }
 
+// A simulation starts with a kernel of its own. The one before stays until then, because every
+// sc_time refers to it.
+void NewKernel() {
+  static std::unique_ptr<sc_core::sc_simcontext> kernel;
+  auto next = std::make_unique<sc_core::sc_simcontext>();
+  sc_core::sc_curr_simcontext = next.get();
+  sc_core::sc_default_global_context = next.get();
+  kernel = std::move(next);
+}
+
 }  // namespace
 
 BusMonitor::BusMonitor(const sc_core::sc_module_name& name)
@@ -90,8 +100,7 @@ void Software::Clear(uint8_t byte) {
 }
 
 Outcome Simulate(const Setup& setup, const std::vector<Body>& bodies) {
-  sc_core::sc_curr_simcontext = new sc_core::sc_simcontext();
-  sc_core::sc_default_global_context = sc_core::sc_curr_simcontext;
+  NewKernel();
   tlm::tlm_global_quantum::instance().set(setup.quantum);
   Platform platform("platform", setup);
   size_t returned = 0;
