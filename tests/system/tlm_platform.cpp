@@ -112,7 +112,7 @@ Outcome Simulate(const Setup& setup, const std::vector<Body>& bodies) {
     });
   }
   sc_core::sc_start();
-  return {platform.memory.bytes(), sc_core::sc_time_stamp(), returned == bodies.size()};
+  return {platform.memory.bytes(), returned == bodies.size()};
 }
 
 FrameBuffer TargetFor(const FrameState& frame, bool depth_test) {

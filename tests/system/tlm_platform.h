@@ -86,7 +86,6 @@ using Body = std::function<void(Software*)>;
 // What is left of a simulation.
 struct Outcome {
   std::vector<uint8_t> memory;
-  sc_core::sc_time end;   // when the last thing happened
   bool finished = false;  // every body returned
 };
 
