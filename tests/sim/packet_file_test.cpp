@@ -185,7 +185,10 @@ TEST_F(PacketFileTest, BadFiles) {
 
 TEST_F(PacketFileTest, FullDisk) {
   const TriangleList list = Project(MakeBuiltin("sphere"), {});
-  ExpectError([&] { WritePackets("/dev/full", list); }, "/dev/full: could not be written in full");
+  if (HasFullDevice()) {
+    ExpectError([&] { WritePackets("/dev/full", list); },
+                "/dev/full: could not be written in full");
+  }
   Write("a.jsonl", "old");
   {
     const DiskLimit limit(4096);

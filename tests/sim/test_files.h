@@ -43,6 +43,9 @@ class FileTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+// A container may lack the device that is always full.
+inline bool HasFullDevice() { return std::filesystem::is_character_file("/dev/full"); }
+
 // The call must throw a runtime_error of one line that holds the text.
 inline void ExpectError(const std::function<void()>& call, const std::string& text) {
   try {
