@@ -31,18 +31,15 @@ void WriteColor(int64_t r, int64_t g, int64_t b, Pixel* pixel) {
   std::memcpy(&pixel->r, &word, sizeof word);
 }
 
-// Positions first, then colours: each loop keeps its state in registers.
 template <typename IntensityUnit>
 void ShadeSpan(const SpanSeed& seed, Pixel* pixels) {
   const int length = seed.length;
   PixelWalker walker(seed);
-  for (int i = 0; i < length; ++i) {
-    WritePosition(walker, pixels + i);
-    walker.Step();
-  }
   IntensityUnit red(seed.channel[0]), green(seed.channel[1]), blue(seed.channel[2]);
   for (int i = 0; i < length; ++i) {
+    WritePosition(walker, pixels + i);
     WriteColor(red.whole(), green.whole(), blue.whole(), pixels + i);
+    walker.Step();
     red.Step();
     green.Step();
     blue.Step();
