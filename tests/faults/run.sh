@@ -12,7 +12,7 @@ pattern=${1:-.}
 
 rm -rf -- "$copy"  # an interrupted run may have left a fault in it
 mkdir -p "$copy"
-git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -p -t "$copy" || exit 2
+git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$copy" || exit 2
 build() { cmake --build "$tree" --target "$@" >"$log" 2>&1 </dev/null; }
 
 # verify FLOW: the exit status of shadesim verify, 124 when it does not end.
