@@ -168,6 +168,14 @@ void Check(const Options& o) {
   }
   if (!o.trace.empty() && o.engine != Engine::kRtl) Refuse("--trace needs --engine rtl");
   if (!o.triangles_out.empty() && o.scenes.size() != 1) Refuse("--triangles-out takes one SCENE");
+  std::vector<std::string> files = o.scenes;
+  for (const std::string& out : {o.image, o.json, o.csv, o.trace, o.triangles_out}) {
+    if (out.empty()) continue;
+    if (std::find(files.begin(), files.end(), out) != files.end()) {
+      Refuse(fmt::format("{} would be overwritten: give each file its own name", out));
+    }
+    files.push_back(out);
+  }
   o.Sink();
 }
 

@@ -63,6 +63,8 @@ refuse 'backpressure' verify builtin:sphere --backpressure 000
 refuse 'backpressure' verify builtin:sphere --backpressure sometimes
 refuse 'teapot' verify builtin:teapot
 refuse 'sphere' verify builtin:sphere:9999
+refuse 'own name' render builtin:sphere -o a.png --json a.png
+refuse 'own name' verify t.jsonl --triangles-out t.jsonl
 refuse 'missing.obj' verify missing.obj
 refuse 'missing.jsonl' verify missing.jsonl
 refuse 'not both' verify builtin:sphere --random 10
