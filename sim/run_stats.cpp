@@ -68,6 +68,13 @@ Json ToJson(const RunStats& run) {
   return json;
 }
 
+void AddSkips(const SkipCounts& other, SkipCounts* sum) {
+  sum->back_facing += other.back_facing;
+  sum->degenerate += other.degenerate;
+  sum->off_screen += other.off_screen;
+  sum->empty += other.empty;
+}
+
 void KeepWorst(const std::optional<PictureError>& other, std::optional<PictureError>* error) {
   if (!other) return;
   if (!*error || other->rms_lsb > (*error)->rms_lsb) {
@@ -100,10 +107,7 @@ void Comparison::Add(const Comparison& other) {
 void RunStats::AddWork(const FrameWork& work, int64_t packets) {
   triangles += packets;
   spans += static_cast<int64_t>(work.spans.size());
-  skipped.back_facing += work.skipped.back_facing;
-  skipped.degenerate += work.skipped.degenerate;
-  skipped.off_screen += work.skipped.off_screen;
-  skipped.empty += work.skipped.empty;
+  AddSkips(work.skipped, &skipped);
 }
 
 void RunStats::Add(const RunStats& other) {
@@ -113,10 +117,7 @@ void RunStats::Add(const RunStats& other) {
   counters.pixels += other.counters.pixels;
   counters.setup += other.counters.setup;
   counters.stall += other.counters.stall;
-  skipped.back_facing += other.skipped.back_facing;
-  skipped.degenerate += other.skipped.degenerate;
-  skipped.off_screen += other.skipped.off_screen;
-  skipped.empty += other.skipped.empty;
+  AddSkips(other.skipped, &skipped);
   sim_seconds += other.sim_seconds;
   if (other.comparison) {
     if (!comparison) comparison.emplace();
