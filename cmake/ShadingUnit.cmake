@@ -10,10 +10,14 @@ include(GoogleTest)
 
 set(SHADING_RTL_PACKAGES
   ${PROJECT_SOURCE_DIR}/rtl/pkg/fixed_pkg.sv
+  ${PROJECT_SOURCE_DIR}/rtl/pkg/light_pkg.sv
+  ${PROJECT_SOURCE_DIR}/rtl/pkg/normal_pkg.sv
   ${PROJECT_SOURCE_DIR}/rtl/pkg/shading_pkg.sv)
 set(SHADING_RTL_FOLDERS
   -y ${PROJECT_SOURCE_DIR}/rtl/raster
-  -y ${PROJECT_SOURCE_DIR}/rtl/intensity)
+  -y ${PROJECT_SOURCE_DIR}/rtl/intensity
+  -y ${PROJECT_SOURCE_DIR}/rtl/normal
+  -y ${PROJECT_SOURCE_DIR}/rtl/light)
 
 # verilate_unit(TARGET t TOP module SOURCE file VISIBLE file.vlt [PARAMETERS -GName=value...]): a
 # static library whose class is named after the target; VISIBLE says which names C++ sees. Every

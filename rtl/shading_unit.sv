@@ -13,6 +13,7 @@
 // Formats   shading_pkg. Pixels leave in the order of the spans, left to right.
 // Model     model/shading_unit.h      Doc  docs/units/shading_unit.md
 module shading_unit
+  import light_pkg::*;
   import shading_pkg::*;
 #(
   parameter methods_t Methods = AllMethods

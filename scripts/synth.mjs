@@ -7,12 +7,12 @@ import { runYosys } from '@yowasp/yosys';
 
 const rtl = process.argv[2];
 const files = {};
-for (const folder of ['pkg', 'raster', 'intensity', '.']) {
+for (const folder of ['pkg', 'raster', 'intensity', 'normal', 'light', '.']) {
   for (const name of readdirSync(`${rtl}/${folder}`)) {
     if (name.endsWith('.sv')) files[name] = readFileSync(`${rtl}/${folder}/${name}`, 'utf8');
   }
 }
-const packages = ['fixed_pkg.sv', 'shading_pkg.sv'];
+const packages = ['fixed_pkg.sv', 'light_pkg.sv', 'normal_pkg.sv', 'shading_pkg.sv'];
 const sources = [...packages, ...Object.keys(files).filter((name) => !packages.includes(name))];
 
 async function yosys(top, methods, commands) {

@@ -33,7 +33,7 @@ inline Cosine CosineOf(const Vector3& a, const Vector3& b) {
 }
 
 // What a normal contributes to lighting. Both are linear in N, so they may be averaged.
-struct VertexCosines {
+struct LightCosines {
   Cosine n_dot_l;
   Cosine n_dot_h_or_v;  // N.H for Lighting::kBlinn, N.V for kPhong
 };

@@ -38,12 +38,12 @@ Cosine Quotient(int64_t numerator, int64_t root) {
 
 }  // namespace
 
-std::optional<VertexCosines> MeanCosines::Normalise(const Sum& sum) {
+std::optional<LightCosines> MeanCosines::Normalise(const Sum& sum) {
   int64_t square = 0;
   for (const int64_t component : sum.normal) square += component * component;
   if (square < kLeastSquare) return std::nullopt;
   const int64_t root = Root(square);
-  return VertexCosines{Quotient(sum.n_dot_l, root), Quotient(sum.n_dot_h_or_v, root)};
+  return LightCosines{Quotient(sum.n_dot_l, root), Quotient(sum.n_dot_h_or_v, root)};
 }
 
 }  // namespace shading

@@ -32,8 +32,8 @@ class MeanCosines {
                                              "unit vectors, length of their sum >= 1"};
 
   template <size_t N>
-  static std::optional<VertexCosines> Of(const std::array<Vector3, N>& normals,
-                                         const std::array<VertexCosines, N>& cosines) {
+  static std::optional<LightCosines> Of(const std::array<Vector3, N>& normals,
+                                         const std::array<LightCosines, N>& cosines) {
     static_assert(N == 2 || N == 3, "an edge or a face");
     Sum sum;
     for (size_t i = 0; i < N; ++i) {
@@ -45,8 +45,8 @@ class MeanCosines {
   }
 
   // Flat shading: the mean of three, or the first vertex where that is undefined.
-  static VertexCosines OfFace(const std::array<Vector3, 3>& normals,
-                              const std::array<VertexCosines, 3>& cosines) {
+  static LightCosines OfFace(const std::array<Vector3, 3>& normals,
+                              const std::array<LightCosines, 3>& cosines) {
     return Of(normals, cosines).value_or(cosines[0]);
   }
 
@@ -55,7 +55,7 @@ class MeanCosines {
     std::array<int64_t, 3> normal = {};     // S3.22
     int64_t n_dot_l = 0, n_dot_h_or_v = 0;  // S3.30
   };
-  static std::optional<VertexCosines> Normalise(const Sum& sum);
+  static std::optional<LightCosines> Normalise(const Sum& sum);
 };
 
 }  // namespace shading

@@ -31,11 +31,11 @@ VertexLight::VertexLight(const FrameState& frame)
       half_or_view_(frame.lighting == Lighting::kBlinn ? frame.half : frame.view),
       l_dot_v_(CosineOf(frame.light, frame.view)) {}
 
-VertexCosines VertexLight::Cosines(const Vector3& normal) const {
+LightCosines VertexLight::Cosines(const Vector3& normal) const {
   return {CosineOf(normal, light_), CosineOf(normal, half_or_view_)};
 }
 
-Cosine VertexLight::SpecularCosine(const VertexCosines& cosines) const {
+Cosine VertexLight::SpecularCosine(const LightCosines& cosines) const {
   if (lighting_ == Lighting::kBlinn) return cosines.n_dot_h_or_v;
   const int64_t product = cosines.n_dot_l.raw() * cosines.n_dot_h_or_v.raw();  // S3.60
   constexpr int kExtra = Cosine::kFraction - 1;                                // twice the product
@@ -43,7 +43,7 @@ Cosine VertexLight::SpecularCosine(const VertexCosines& cosines) const {
   return RoundSaturateCosine(doubled - l_dot_v_.raw(), 0);
 }
 
-std::array<Intensity, kChannels> VertexLight::Shade(const VertexCosines& cosines,
+std::array<Intensity, kChannels> VertexLight::Shade(const LightCosines& cosines,
                                                     const Material& material) const {
   const int64_t diffuse = ClampedRaw(cosines.n_dot_l);
   int64_t highlight = 0;

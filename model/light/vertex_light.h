@@ -33,12 +33,12 @@ class VertexLight {
 
   explicit VertexLight(const FrameState& frame);
 
-  VertexCosines Cosines(const Vector3& normal) const;
-  std::array<Intensity, kChannels> Shade(const VertexCosines& cosines,
+  LightCosines Cosines(const Vector3& normal) const;
+  std::array<Intensity, kChannels> Shade(const LightCosines& cosines,
                                          const Material& material) const;
 
  private:
-  Cosine SpecularCosine(const VertexCosines& cosines) const;
+  Cosine SpecularCosine(const LightCosines& cosines) const;
 
   Lighting lighting_;
   Vector3 light_;

@@ -32,7 +32,7 @@ void Count(Verdict verdict, SkipCounts* skipped) {
 // Light at the middle of each edge, opposite each corner; nullopt as in MeanCosines.
 NodeColors MiddleColors(const VertexLight& light, const Material& material,
                         const std::array<Vector3, 3>& normal,
-                        const std::array<VertexCosines, 3>& cosines, const NodeColors& corner) {
+                        const std::array<LightCosines, 3>& cosines, const NodeColors& corner) {
   NodeColors middle;
   for (size_t k = 0; k < 3; ++k) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
@@ -91,7 +91,7 @@ std::array<Surface, kChannels> FrontEnd::Fit(const TrianglePacket& packet,
                                              const SpanCommand& first) const {
   const Material& material = frame_.materials[static_cast<size_t>(packet.material)];
   std::array<Vector3, 3> normal;
-  std::array<VertexCosines, 3> cosines;
+  std::array<LightCosines, 3> cosines;
   for (size_t i = 0; i < 3; ++i) {
     normal[i] = packet.n[static_cast<size_t>(geometry.corner[i])];
     cosines[i] = light_.Cosines(normal[i]);

@@ -9,6 +9,7 @@
 // Error     None: the colour is the seed's. RTL = model on every pixel.
 // Model     model/intensity/flat_color.h      Doc  docs/units/intensity/flat_color.md
 module flat_color
+  import light_pkg::*;
   import shading_pkg::*;
 (
   input  logic          clk_i,

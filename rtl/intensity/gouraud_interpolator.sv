@@ -12,6 +12,7 @@
 // Model     model/intensity/gouraud_interpolator.h
 // Doc       docs/units/intensity/gouraud_interpolator.md
 module gouraud_interpolator
+  import light_pkg::*;
   import shading_pkg::*;
 (
   input  logic          clk_i,

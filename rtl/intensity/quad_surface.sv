@@ -12,6 +12,7 @@
 //           (t^2 + t - 1) 2^-27 codes: < 1/32 code for 2048 pixels. RTL = model on every pixel.
 // Model     model/intensity/quad_surface.h      Doc  docs/units/intensity/quad_surface.md
 module quad_surface
+  import light_pkg::*;
   import shading_pkg::*;
 (
   input  logic          clk_i,

@@ -4,10 +4,8 @@
 // model/shading_types.h is the C++ twin. Screens reach 4096 x 4096 pixels.
 package shading_pkg;
   import fixed_pkg::*;
+  import light_pkg::*;
 
-  localparam int unsigned Channels = 3;      // index 0 red, 1 green, 2 blue
-
-  typedef u8_0_t       code_t;               // displayed intensity, round(255 I)
   typedef s9_26_t      intensity_acc_t;      // intensity in codes, for recurrences; sums wrap
   typedef u0_24_t      depth_t;              // [0, 1), smaller is nearer
   typedef s1_38_t      depth_acc_t;          // depth with 14 guard bits

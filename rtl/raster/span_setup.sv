@@ -19,6 +19,7 @@
 // Error     None against the integer polynomial. RTL = model on every seed.
 // Model     model/raster/span_setup.h      Doc  docs/units/raster/span_setup.md
 module span_setup
+  import light_pkg::*;
   import shading_pkg::*;
 #(
   parameter methods_t Methods = AllMethods

@@ -15,9 +15,9 @@ namespace {
 const Vector3 kX = Quantised(1, 0, 0), kY = Quantised(0, 1, 0), kMinusX = Quantised(-1, 0, 0);
 
 template <size_t N>
-std::array<VertexCosines, N> CosinesOf(const std::array<Vector3, N>& normals, const Vector3& light,
+std::array<LightCosines, N> CosinesOf(const std::array<Vector3, N>& normals, const Vector3& light,
                                        const Vector3& half) {
-  std::array<VertexCosines, N> cosines;
+  std::array<LightCosines, N> cosines;
   for (size_t i = 0; i < N; ++i) {
     cosines[i] = {CosineOf(normals[i], light), CosineOf(normals[i], half)};
   }
@@ -125,7 +125,7 @@ TEST(MeanCosines, UndefinedFaceTakesFirstVertex) {
 TEST(MeanCosines, ForeignCosinesSaturate) {
   Vector3 almost = kMinusX;
   almost[1] = NormalComponent::FromRaw(int64_t{1} << 17);
-  const VertexCosines high = {Cosine::FromRaw((int64_t{1} << 31) - 1),
+  const LightCosines high = {Cosine::FromRaw((int64_t{1} << 31) - 1),
                               Cosine::FromRaw(-(int64_t{1} << 31))};
   const auto mean = MeanCosines::Of<2>({kX, almost}, {high, high});
   EXPECT_EQ(mean->n_dot_l.raw(), (int64_t{1} << 31) - 1);
@@ -135,7 +135,7 @@ TEST(MeanCosines, ForeignCosinesSaturate) {
 TEST(MeanCosines, WidestVectorsDoNotOverflow) {
   const NormalComponent least = NormalComponent::FromRaw(-(int64_t{1} << 23));
   const Vector3 corner = {least, least, least};
-  const VertexCosines least_cosine = {Cosine::FromRaw(-(int64_t{1} << 31)), Cosine()};
+  const LightCosines least_cosine = {Cosine::FromRaw(-(int64_t{1} << 31)), Cosine()};
   const auto mean =
       MeanCosines::Of<3>({corner, corner, corner}, {least_cosine, least_cosine, least_cosine});
   EXPECT_EQ(mean->n_dot_l, Cosine::Round(-1 / std::sqrt(3)));

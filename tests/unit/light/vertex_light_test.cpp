@@ -86,7 +86,7 @@ TEST_P(VertexLightSearch, MiddleOfEdgeWithinErrorBound) {
     const std::array<Vector3, 2> normals = {NearPeak(), NearPeak()};
     const auto mean = MeanCosines::Of(
         normals,
-        std::array<VertexCosines, 2>{light.Cosines(normals[0]), light.Cosines(normals[1])});
+        std::array<LightCosines, 2>{light.Cosines(normals[0]), light.Cosines(normals[1])});
     const ideal::Vector sum = ideal::Sum(ideal::ToReal(normals[0]), ideal::ToReal(normals[1]));
     if (!mean || ideal::Dot(sum, sum) < 1) continue;
     const auto ideal = ideal::Light(frame_).Shade(*ideal::MeanNormal(sum), material_);

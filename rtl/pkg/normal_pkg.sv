@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Vocabulary of normal interpolation along a span. model/normal/normal_types.h is the C++ twin.
+//
+// A quantity is what a recurrence interpolates: a component of the normal, or N.L and N.H.
+package normal_pkg;
+  import fixed_pkg::*;
+  import light_pkg::*;
+
+  typedef s1_30_t span_normal_t;             // component of the normal at an end of a span
+  typedef s1_38_t quantity_t;                // component or cosine, in a recurrence
+  typedef s1_44_t length_sq_t;               // |N|^2 of linearly interpolated normals
+
+  // kappa = 4 sin^2(phi / 2) = mantissa 4^-exponent, for the angle phi from pixel to pixel; the
+  // exponent, 0..10, is the largest that keeps the mantissa <= 1.
+  typedef struct packed {
+    u1_28_t     mantissa;
+    logic [3:0] exponent;
+  } kappa_t;
+
+  typedef struct packed {
+    quantity_t first;                        // s(0)
+    quantity_t difference;                   // s(stride) - s(0)
+  } quantity_seed_t;
+
+  typedef struct packed {
+    length_sq_t first;                       // q(0)
+    length_sq_t difference;                  // q(stride) - q(0)
+    length_sq_t curvature;                   // second difference
+  } length_seed_t;
+endpackage
