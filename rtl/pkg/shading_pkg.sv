@@ -63,6 +63,12 @@ package shading_pkg;
     depth_acc_t   dz_dx;
   } run_t;
 
+  // A run and what lights it.
+  typedef struct packed {
+    run_t            run;
+    material_index_t material;
+  } lit_run_t;
+
   // Start of one channel along a span, paper 003 (9) and (3).
   typedef struct packed {
     intensity_acc_t first;                   // I(0)
