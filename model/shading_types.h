@@ -51,7 +51,7 @@ struct SpanCommand {
   int length = 0;     // pixels, 1..4096
   DepthAcc z;         // depth at the first pixel's centre, plus half an ulp of Depth
   bool last = false;  // last span of its triangle
-  std::array<SpanNormal, 2> normal;  // at its first and last pixel; phong and slerp methods
+  std::array<SpanNormal, 2> normal = {};  // at its first and last pixel; phong and slerp methods
 };
 
 // Row start, row start of the next pixel and differences of one channel: paper 003 (9), (3).
