@@ -5,6 +5,7 @@
 package fixed_pkg;
   typedef logic signed [23:0] s1_22_t;
   typedef logic signed [25:0] s1_24_t;
+  typedef logic signed [29:0] s1_28_t;
   typedef logic signed [31:0] s1_30_t;
   typedef logic signed [35:0] s9_26_t;
   typedef logic signed [39:0] s1_38_t;

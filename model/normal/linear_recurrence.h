@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/normal/normal_types.h"
+#include "model/unit_contract.h"
+
+namespace shading {
+
+// An S1.38 register at the top of a 64-bit word: its wrap is then the machine's own.
+inline constexpr int kQuantityAlign = 64 - Quantity::kWidth;
+inline uint64_t Align(Quantity value) {
+  return static_cast<uint64_t>(value.raw()) << kQuantityAlign;
+}
+
+// Bit-exact model of rtl/normal/linear_recurrence.sv: one quantity of one span or lane.
+//
+//   s(t+1) = s(t) + D
+//
+// The recurrence is exact; seeds rounded to 2^-39 move step t by (t + 1) / 2 ulp.
+class LinearRecurrence {
+ public:
+  static constexpr UnitContract kContract = {
+      "linear_recurrence",   "normal", 1, 1, "seed S1.38", "value S1.38, wraps", 1024,
+      "spans of 2048 pixels"};
+
+  explicit LinearRecurrence(const QuantitySeed& seed)
+      : value_(Align(seed.first)), difference_(Align(seed.difference)) {}
+
+  Quantity value() const {
+    return Quantity::FromRaw(static_cast<int64_t>(value_) >> kQuantityAlign);
+  }
+  void Step() { value_ += difference_; }
+
+ private:
+  uint64_t value_;       // s(t)
+  uint64_t difference_;  // D
+};
+
+}  // namespace shading
