@@ -16,6 +16,13 @@ using LengthSquare = S<1, 44>;                          // |N|^2 of linearly int
 
 inline constexpr int kMaxLanes = 4;
 
+// What a method of normal interpolation needs at the start of a span.
+struct SetupKind {
+  bool spherical = false;  // angle linear along the span; else the vector linear
+  bool cosines = false;    // quantities N.L, N.H or N.V, 0; else x, y, z
+  bool length = false;     // |N|^2 as well; not with spherical
+};
+
 // kappa = 4 sin^2(phi / 2) = mantissa 4^-exponent, for the angle phi from pixel to pixel; the
 // exponent, 0..10, is the largest that keeps the mantissa <= 1.
 struct Kappa {

@@ -11,6 +11,13 @@ package normal_pkg;
   typedef s1_38_t quantity_t;                // component or cosine, in a recurrence
   typedef s1_44_t length_sq_t;               // |N|^2 of linearly interpolated normals
 
+  // What a method of normal interpolation needs at the start of a span.
+  typedef struct packed {
+    logic spherical;                         // angle linear along the span; else the vector linear
+    logic cosines;                           // quantities N.L, N.H or N.V, 0; else x, y, z
+    logic length;                            // |N|^2 as well; not with spherical
+  } setup_kind_t;
+
   // kappa = 4 sin^2(phi / 2) = mantissa 4^-exponent, for the angle phi from pixel to pixel; the
   // exponent, 0..10, is the largest that keeps the mantissa <= 1.
   typedef struct packed {
