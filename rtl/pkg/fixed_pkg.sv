@@ -14,5 +14,7 @@ package fixed_pkg;
   typedef logic        [15:0] u9_7_t;
   typedef logic        [16:0] u1_16_t;
   typedef logic        [23:0] u0_24_t;
+  typedef logic        [24:0] u1_24_t;
   typedef logic        [28:0] u1_28_t;
+  typedef logic        [45:0] u2_44_t;
 endpackage

@@ -35,4 +35,30 @@ package normal_pkg;
     length_sq_t difference;                  // q(stride) - q(0)
     length_sq_t curvature;                   // second difference
   } length_seed_t;
+
+  // 1/sqrt(q) = mantissa 2^exponent; mantissa in [1/2, 1], exponent 0..22.
+  typedef struct packed {
+    u1_24_t     mantissa;
+    logic [4:0] exponent;
+  } reciprocal_sqrt_t;
+
+  // value - (slope - curvature t) t, t in [0, 1); 28 fraction bits each.
+  typedef struct packed {
+    u1_28_t      value;
+    logic [20:0] slope;
+    logic [12:0] curvature;
+  } root_coefficients_t;
+
+  // S1.38 -> S1.24: rounds halves up, saturates.
+  function automatic pixel_normal_t to_pixel_normal(quantity_t value);
+    logic signed [40:0] rounded;
+    rounded = 41'(value) + 41'sd8192;
+    if (rounded[40:39] == 2'b01) to_pixel_normal = {1'b0, {25{1'b1}}};
+    else                         to_pixel_normal = rounded[39:14];
+  endfunction
+
+  // S1.38 -> S1.30: rounds halves up, saturates.
+  function automatic cosine_t quantity_to_cosine(quantity_t value);
+    quantity_to_cosine = to_cosine(35'((41'(value) + 41'sd128) >>> 8));
+  endfunction
 endpackage
