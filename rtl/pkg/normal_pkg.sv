@@ -48,17 +48,4 @@ package normal_pkg;
     logic [20:0] slope;
     logic [12:0] curvature;
   } root_coefficients_t;
-
-  // S1.38 -> S1.24: rounds halves up, saturates.
-  function automatic pixel_normal_t to_pixel_normal(quantity_t value);
-    logic signed [40:0] rounded;
-    rounded = 41'(value) + 41'sd8192;
-    if (rounded[40:39] == 2'b01) to_pixel_normal = {1'b0, {25{1'b1}}};
-    else                         to_pixel_normal = rounded[39:14];
-  endfunction
-
-  // S1.38 -> S1.30: rounds halves up, saturates.
-  function automatic cosine_t quantity_to_cosine(quantity_t value);
-    quantity_to_cosine = to_cosine(35'((41'(value) + 41'sd128) >>> 8));
-  endfunction
 endpackage
