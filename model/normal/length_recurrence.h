@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/normal/normal_types.h"
+#include "model/unit_contract.h"
+
+namespace shading {
+
+// Bit-exact model of rtl/normal/length_recurrence.sv: q = |M|^2 along a span.
+//
+//   q(t+1) = q(t) + d(t),   d(t+1) = d(t) + c
+//
+// The recurrence is exact; seeds rounded to 2^-45 move step t by (1 + t + t (t - 1)/2)/2 ulp.
+class LengthRecurrence {
+ public:
+  static constexpr UnitContract kContract = {
+      "length_recurrence", "normal",  1,         1,
+      "seed S1.44",        "q S1.44", 1048064.5, "spans of 2048 pixels"};
+
+  LengthRecurrence() = default;
+  explicit LengthRecurrence(const LengthSeed& seed)
+      : value_(Align(seed.first)),
+        difference_(Align(seed.difference)),
+        curvature_(Align(seed.curvature)) {}
+
+  LengthSquare value() const {
+    return LengthSquare::FromRaw(static_cast<int64_t>(value_) >> kSpare);
+  }
+  void Step() {
+    value_ += difference_;
+    difference_ += curvature_;
+  }
+
+ private:
+  // Registers sit at the top of 64 bits, where sums wrap as those of the RTL do.
+  static constexpr int kSpare = 64 - LengthSquare::kWidth;
+  static uint64_t Align(LengthSquare s) { return static_cast<uint64_t>(s.raw()) << kSpare; }
+
+  uint64_t value_ = 0;       // q(t)
+  uint64_t difference_ = 0;  // d(t)
+  uint64_t curvature_ = 0;   // c
+};
+
+}  // namespace shading
