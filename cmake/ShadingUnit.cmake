@@ -12,6 +12,7 @@ set(SHADING_RTL_PACKAGES
   ${PROJECT_SOURCE_DIR}/rtl/pkg/fixed_pkg.sv
   ${PROJECT_SOURCE_DIR}/rtl/pkg/light_pkg.sv
   ${PROJECT_SOURCE_DIR}/rtl/pkg/normal_pkg.sv
+  ${PROJECT_SOURCE_DIR}/rtl/pkg/specular_table_pkg.sv
   ${PROJECT_SOURCE_DIR}/rtl/pkg/shading_pkg.sv)
 set(SHADING_RTL_FOLDERS
   -y ${PROJECT_SOURCE_DIR}/rtl/raster

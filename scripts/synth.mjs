@@ -12,7 +12,8 @@ for (const folder of ['pkg', 'raster', 'intensity', 'normal', 'light', '.']) {
     if (name.endsWith('.sv')) files[name] = readFileSync(`${rtl}/${folder}/${name}`, 'utf8');
   }
 }
-const packages = ['fixed_pkg.sv', 'light_pkg.sv', 'normal_pkg.sv', 'shading_pkg.sv'];
+const packages = ['fixed_pkg.sv', 'light_pkg.sv', 'normal_pkg.sv', 'specular_table_pkg.sv',
+  'shading_pkg.sv'];
 const sources = [...packages, ...Object.keys(files).filter((name) => !packages.includes(name))];
 
 async function yosys(top, methods, commands) {

@@ -12,6 +12,7 @@ namespace shading {
 // Twins of the typedefs in rtl/pkg/light_pkg.sv.
 using PixelNormalComponent = S<1, 24>;
 using PixelNormal = std::array<PixelNormalComponent, 3>;
+using Diffuse = U<1, 17>;    // N.L clamped to 0..1
 using Highlight = U<1, 16>;  // (N.H)^n, 0..1
 
 inline constexpr int kMaxMaterials = 256;  // of one frame

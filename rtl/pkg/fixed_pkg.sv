@@ -13,6 +13,7 @@ package fixed_pkg;
   typedef logic        [ 7:0] u8_0_t;
   typedef logic        [15:0] u9_7_t;
   typedef logic        [16:0] u1_16_t;
+  typedef logic        [17:0] u1_17_t;
   typedef logic        [23:0] u0_24_t;
   typedef logic        [24:0] u1_24_t;
   typedef logic        [28:0] u1_28_t;

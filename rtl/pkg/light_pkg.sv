@@ -11,6 +11,7 @@ package light_pkg;
   typedef s1_22_t direction_t;               // component of light, half and view vector
   typedef s1_24_t pixel_normal_t;            // component of the normal of a pixel
   typedef s1_30_t cosine_t;                  // N.L, N.H, N.V, R.V
+  typedef u1_17_t diffuse_t;                 // N.L clamped to 0..1
   typedef u1_16_t reflectance_t;             // coefficient times light colour, 0..1
   typedef u9_7_t  shininess_t;               // exponent n, 1..256
   typedef u1_16_t highlight_t;               // (N.H)^n, 0..1
@@ -43,4 +44,17 @@ package light_pkg;
 
   localparam int unsigned NumMaterials = 256;
   typedef logic [7:0] material_index_t;
+
+  // S4.30 -> S1.30: saturates.
+  function automatic cosine_t to_cosine(logic signed [34:0] cosine);
+    if (cosine[34:31] == {4{cosine[34]}}) to_cosine = cosine[31:0];
+    else                                  to_cosine = {cosine[34], {31{!cosine[34]}}};
+  endfunction
+
+  // S1.30 -> U1.17: clamps to [0, 1], rounds halves up.
+  function automatic diffuse_t to_diffuse(cosine_t cosine);
+    if (cosine[31])      to_diffuse = '0;
+    else if (cosine[30]) to_diffuse = 18'h20000;
+    else                 to_diffuse = {1'b0, cosine[29:13]} + 18'(cosine[12]);
+  endfunction
 endpackage
