@@ -7,7 +7,7 @@
 // Timing    Latency 3 cycles, a pixel a cycle, never stalls.
 // Formats   diffuse U1.17, highlight and reflectances U1.16; I exact (U4.33), clamped to 1; code
 //           U8.0, halves up.
-// Error     0.5 codes: the rounding to a code. Reflectances over 1 are accepted, the sum is clamped.
+// Error     0.5 codes: the rounding to a code. Reflectances over 1 are accepted; I is clamped.
 // Model     model/light/rgb_combine.h      Doc  docs/units/light/rgb_combine.md
 module rgb_combine
   import light_pkg::*;
