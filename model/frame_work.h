@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/light/light_types.h"
 #include "model/shading_types.h"
 
 namespace shading {
@@ -21,10 +22,13 @@ struct SkipCounts {
 // One frame as it enters the shading unit: triangles in order, each followed by its spans.
 struct FrameWork {
   Method method = Method::kFlat;
+  LightState light;                 // methods that interpolate normals, as the materials
+  std::vector<Material> materials;  // at most kMaxMaterials
   std::vector<TriangleState> triangles;
   std::vector<uint32_t> packet;  // of each triangle: its index in the triangle list
   std::vector<SpanCommand> spans;
   int64_t pixels = 0;
+  int64_t split_spans = 0;  // spans in two because their normals are over 90 degrees apart
   SkipCounts skipped;
 };
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "model/flow_pattern.h"
+#include "model/normal/normal_setup.h"
+#include "model/raster/pixel_queue.h"
 #include "model/shading_types.h"
 
 namespace shading {
@@ -9,11 +13,11 @@ namespace shading {
 // When one span moves through the shading unit, in cycles from the acceptance of its frame.
 struct SpanTiming {
   int64_t accepted = 0;     // the span command is taken
-  int64_t first_valid = 0;  // its first pixel is on offer
-  int64_t sink_rank = 0;    // pixel i leaves in the sink's willing cycle number sink_rank + i
-  int64_t last_left = 0;    // its last pixel leaves
+  int64_t first_valid = 0;  // its first group of pixels is on offer
+  int64_t sink_rank = 0;    // group i leaves in the sink's willing cycle number sink_rank + i
+  int64_t last_left = 0;    // its last group leaves
   int64_t setup = 0;        // cycles without a pixel on offer although the span is inside
-  int64_t stall = 0;        // cycles in which a pixel waits for the sink
+  int64_t stall = 0;        // cycles in which pixels wait for the sink
 };
 
 // Exact cycles of rtl/shading_unit.sv, per span and not per cycle. Every stage is in order:
@@ -21,31 +25,42 @@ struct SpanTiming {
 //   start = max(input on offer, stage free, room downstream)
 //
 //   span_setup     accepts in a, works in steps, sums in s, offers the seed from s + 1
-//   pixel_walker   takes the seed in t, offers the first pixel in t + 1
+//   normal_setup   accepts in a, passes from stage to stage every 8 cycles, offers likewise
+//   pixel_walker   takes the seed in t, offers the first group of lanes in t + 1
+//   light          takes a group when pixel_queue has room and offers it a fixed time later
 //
 // The source pattern says in which cycles a new triangle or span command may appear; once on offer
 // it stays. The sink pattern says in which cycles pixels are taken.
 class ShadingClock {
  public:
-  ShadingClock(Method method, FlowPattern source, FlowPattern sink);
+  ShadingClock(Method method, int lanes, FlowPattern source, FlowPattern sink);
 
   void Triangle();  // the next triangle command; its spans follow
   SpanTiming Span(int length, bool last);
 
   const FlowPattern& sink() const { return sink_; }
+  int lanes() const { return lanes_; }
 
  private:
-  int64_t steps_;
+  int64_t OfferSurfaceSeed(int64_t offered, bool last);
+  int64_t OfferNormalSeed(int64_t offered, bool last);
+  void Leave(int64_t groups, SpanTiming* timing);
+
+  Method method_;
+  int lanes_;
   FlowPattern source_;
   FlowPattern sink_;
 
   int64_t triangle_taken_ = 0;     // of the current triangle
-  int64_t triangle_released_ = 0;  // last step of the last span of the triangle before
+  int64_t triangle_released_ = 0;  // the last span of the triangle before lets it go
   int64_t span_taken_ = 0;         // of the span before, and so on
-  int64_t last_step_ = 0;
+  int64_t last_step_ = 0;          // span_setup
   int64_t sum_ = 0;
+  std::array<int64_t, NormalSetup::kStages + 2> stage_entered_ = {};  // normal_setup
   int64_t seed_taken_ = 0;
+  int64_t walker_free_ = 0;  // the last group of the span before leaves pixel_walker
   int64_t last_left_ = 0;
+  PixelQueue queue_;
 };
 
 }  // namespace shading

@@ -22,14 +22,32 @@ inline constexpr int kChannels = 3;  // red, green, blue
 inline constexpr int kMaxScreen = 4096;
 
 // How a triangle is shaded. The value is the bit of the method in the RTL parameter Methods.
-enum class Method { kFlat = 0, kGouraud = 1, kQuad = 2 };
-inline constexpr std::array<Method, 3> kAllMethods = {Method::kFlat, Method::kGouraud,
-                                                      Method::kQuad};
+enum class Method {
+  kFlat,
+  kGouraud,
+  kQuad,
+  kPhong,
+  kPhongTaylor,
+  kPhongDuff,
+  kSlerp,
+  kSlerpPaper,
+  kSlerpIntensity
+};
+inline constexpr std::array<Method, 9> kAllMethods = {
+    Method::kFlat,  Method::kGouraud,     Method::kQuad,
+    Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff,
+    Method::kSlerp, Method::kSlerpPaper,  Method::kSlerpIntensity};
+// Methods that interpolate intensities; the others interpolate normals or cosines.
+inline constexpr std::array<Method, 3> kSurfaceMethods = {Method::kFlat, Method::kGouraud,
+                                                          Method::kQuad};
 inline constexpr std::string_view Name(Method method) {
-  constexpr std::array<std::string_view, 3> kNames = {"flat", "gouraud", "quad"};
+  constexpr std::array<std::string_view, 9> kNames = {"flat",  "gouraud",      "quad",
+                                                      "phong", "phong-taylor", "phong-duff",
+                                                      "slerp", "slerp-paper",  "slerp-intensity"};
   return kNames[static_cast<size_t>(method)];
 }
-inline constexpr unsigned Bit(Method method) { return 1u << static_cast<unsigned>(method); }
+constexpr bool InterpolatesNormals(Method method) { return method > Method::kQuad; }
+constexpr bool IsSpherical(Method method) { return method >= Method::kSlerp; }
 
 // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes, one colour channel;
 // x, y in pixels from the triangle's origin, -4095..4095. F carries the half code that makes
@@ -42,6 +60,7 @@ struct Surface {
 struct TriangleState {
   int origin_x = 0, origin_y = 0;  // first pixel of its first span, where x = y = 0
   DepthAcc dz_dx;                  // depth step per pixel
+  int material = 0;                // methods that interpolate normals
   std::array<Surface, kChannels> surface;
 };
 
@@ -62,11 +81,13 @@ struct ChannelSeed {
   IntensityAcc curvature;   // 2A, used by quad_surface
 };
 
-// What span_setup hands to the pixel stage.
+// What span_setup or normal_setup hands to the pixel stage.
 struct SpanSeed {
   int x = 0, y = 0, length = 0;
   DepthAcc z, dz_dx;
-  std::array<ChannelSeed, kChannels> channel;
+  int material = 0;
+  std::array<ChannelSeed, kChannels> channel;  // methods that interpolate intensities
+  NormalSeed normal;                           // methods that interpolate normals
 };
 
 // One pixel as it leaves the shading unit.

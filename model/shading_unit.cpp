@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/shading_unit.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "model/intensity/flat_color.h"
 #include "model/intensity/gouraud_interpolator.h"
 #include "model/intensity/quad_surface.h"
+#include "model/normal/normal_shader.h"
 #include "model/raster/pixel_walker.h"
 
 namespace shading {
@@ -49,12 +51,64 @@ void ShadeSpan(const SpanSeed& seed, Pixel* pixels) {
 
 }  // namespace
 
+template <typename Shader, int kLanes>
+void ShadingUnit::LightSpan(Pixel* pixels) {
+  PixelWalker walker(seed_);
+  Shader shader(seed_.normal);
+  int64_t unlit = 0, no_highlight = 0;
+  const int length = seed_.length;
+  for (int i = 0; i < length; i += kLanes, shader.Step()) {
+    const int group = kLanes == 1 ? 1 : std::min(kLanes, length - i);
+    for (int lane = 0; lane < group; ++lane, walker.Step()) {
+      Pixel* pixel = pixels + i + lane;
+      const auto report = light_.ShadeAndReport(shader.At(static_cast<size_t>(lane), work_.light));
+      WritePosition(walker, pixel);
+      WriteColor(report.codes.r, report.codes.g, report.codes.b, pixel);
+      unlit += report.unlit;
+      no_highlight += report.no_highlight;
+    }
+  }
+  pixels[length - 1].last = 1;
+  counters_.unlit += unlit;
+  counters_.no_highlight += no_highlight;
+}
+
+template <int kLanes>
+void ShadingUnit::ShadeNormals(const SpanCommand& span, Pixel* pixels) {
+  seed_.x = span.x;
+  seed_.y = span.y;
+  seed_.length = span.length;
+  seed_.z = span.z;
+  seed_.dz_dx = triangle_->dz_dx;
+  seed_.material = triangle_->material;
+  NormalSetup::Seed(SetupKindOf(work_.method), work_.light, span, kLanes, &seed_.normal);
+  switch (work_.method) {
+    case Method::kPhong: return LightSpan<LinearShader<PhongDirect, kLanes>, kLanes>(pixels);
+    case Method::kPhongTaylor:
+      return LightSpan<LinearShader<TaylorNormalizer, kLanes>, kLanes>(pixels);
+    case Method::kPhongDuff: return LightSpan<DuffShader<kLanes>, kLanes>(pixels);
+    case Method::kSlerp: return LightSpan<SlerpShader<kLanes>, kLanes>(pixels);
+    case Method::kSlerpPaper: return LightSpan<SlerpPaperShader<kLanes>, kLanes>(pixels);
+    case Method::kSlerpIntensity: return LightSpan<SlerpIntensityShader<kLanes>, kLanes>(pixels);
+    default: return;
+  }
+}
+
 SpanTiming ShadingUnit::Span(const SpanCommand& span, Pixel* pixels) {
-  SpanSetup::Seed(method_, *triangle_, span, &seed_);
-  switch (method_) {
-    case Method::kFlat: ShadeSpan<FlatColor>(seed_, pixels); break;
-    case Method::kGouraud: ShadeSpan<GouraudInterpolator>(seed_, pixels); break;
-    case Method::kQuad: ShadeSpan<QuadSurface>(seed_, pixels); break;
+  if (InterpolatesNormals(work_.method)) {
+    if (clock_.lanes() == 1) {
+      ShadeNormals<1>(span, pixels);
+    } else {
+      ShadeNormals<kMaxLanes>(span, pixels);
+    }
+  } else {
+    // Lanes show the same intensities as one: their recurrences are exact.
+    SpanSetup::Seed(work_.method, *triangle_, span, &seed_);
+    switch (work_.method) {
+      case Method::kGouraud: ShadeSpan<GouraudInterpolator>(seed_, pixels); break;
+      case Method::kQuad: ShadeSpan<QuadSurface>(seed_, pixels); break;
+      default: ShadeSpan<FlatColor>(seed_, pixels); break;
+    }
   }
   const SpanTiming timing = clock_.Span(span.length, span.last);
   counters_.pixels += span.length;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "model/frame_work.h"
+#include "model/light/pixel_light.h"
 #include "model/raster/span_setup.h"
 #include "model/shading_clock.h"
 #include "model/shading_types.h"
@@ -8,14 +10,17 @@
 
 namespace shading {
 
-// Performance counters of one frame, in cycles: twin of counters_t in shading_pkg.sv.
+// Performance counters of one frame: twin of counters_t in shading_pkg.sv.
 struct Counters {
-  int64_t pixels = 0;  // a pixel left
-  int64_t stall = 0;   // a pixel was on offer and not taken
-  int64_t setup = 0;   // no pixel was on offer although a span was inside
+  int64_t pixels = 0;        // pixels that left
+  int64_t stall = 0;         // cycles: pixels were on offer and not taken
+  int64_t setup = 0;         // cycles: no pixel on offer although a span was inside
+  int64_t unlit = 0;         // pixels with N.L <= 0; methods that interpolate normals
+  int64_t no_highlight = 0;  // pixels whose power was not computed; the same
 
   friend bool operator==(const Counters& a, const Counters& b) {
-    return a.pixels == b.pixels && a.stall == b.stall && a.setup == b.setup;
+    return a.pixels == b.pixels && a.stall == b.stall && a.setup == b.setup && a.unlit == b.unlit &&
+           a.no_highlight == b.no_highlight;
   }
 };
 
@@ -33,12 +38,19 @@ class ShadingUnit {
       0.42,
       "screens of 4096 x 4096 pixels, against the method's closed form, before rounding"};
 
-  ShadingUnit(Method method, FlowPattern source, FlowPattern sink)
-      : method_(method), clock_(method, std::move(source), std::move(sink)) {}
+  // lanes: pixels per cycle, 1 or 4. `work` gives method, light and materials and must outlive
+  // this.
+  ShadingUnit(const FrameWork& work, int lanes, FlowPattern source, FlowPattern sink)
+      : work_(work),
+        clock_(work.method, lanes, std::move(source), std::move(sink)),
+        light_(work.light) {}
 
   // The triangle must outlive its spans.
   void Triangle(const TriangleState& triangle) {
     triangle_ = &triangle;
+    if (InterpolatesNormals(work_.method)) {
+      light_.SetMaterial(work_.materials[static_cast<size_t>(triangle.material)]);
+    }
     clock_.Triangle();
   }
 
@@ -47,16 +59,23 @@ class ShadingUnit {
 
   // The cycle in which pixel i of a span left.
   int64_t CycleOf(const SpanTiming& timing, int i) const {
-    return clock_.sink().always() ? timing.first_valid + i
-                                  : clock_.sink().Select(timing.sink_rank + i);
+    const int64_t group = clock_.lanes() == 1 ? i : i / clock_.lanes();
+    return clock_.sink().always() ? timing.first_valid + group
+                                  : clock_.sink().Select(timing.sink_rank + group);
   }
 
   const SpanSeed& seed() const { return seed_; }  // of the latest span
   const Counters& counters() const { return counters_; }
 
  private:
-  Method method_;
+  template <int kLanes>
+  void ShadeNormals(const SpanCommand& span, Pixel* pixels);
+  template <typename Shader, int kLanes>
+  void LightSpan(Pixel* pixels);
+
+  const FrameWork& work_;
   ShadingClock clock_;
+  PixelLight light_;
   const TriangleState* triangle_ = nullptr;
   SpanSeed seed_;
   Counters counters_;

@@ -1,142 +1,272 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shading unit: triangles and their spans in, shaded pixels out.
+// Shading unit: triangles and their spans in, shaded pixels out, Lanes per cycle.
 //
-//   triangle, span -> span_setup -> pixel_walker + (flat_color | gouraud_interpolator |
-//                                                   quad_surface) x 3 -> pixel
+//   triangle, span -> span_setup -> pixel_walker + surface_shader -> pixel
+//   triangle, span -> span_binder -> normal_setup -> pixel_walker + normal_shader
+//                                     -> pixel_light -> pixel_queue -> pixel
 //
 // Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
-// Timing    1 pixel per cycle. Span set-up overlaps the previous span: no bubble between spans of
-//           5 pixels or more. First pixel of an idle unit: span_setup latency + 1 after its span.
+// Timing    Lanes pixels per cycle. Set-up overlaps the previous spans: no bubble between spans of 5
+//           pixels or more for intensities, of 8 cycles or more for normals.
 // Streams   ready/valid; valid does not wait for ready, a payload holds until taken. A frame is
-//           taken when the unit is empty; while one waits, no further triangle is taken.
-// Formats   shading_pkg. Pixels leave in the order of the spans, left to right.
+//           taken when the unit is empty; while one waits, no further triangle is taken. Materials
+//           are written while the unit is empty.
+// Formats   shading_pkg. Pixels leave in the order of the spans, left to right; a group of lanes
+//           never spans two spans.
 // Model     model/shading_unit.h      Doc  docs/units/shading_unit.md
 module shading_unit
   import light_pkg::*;
+  import normal_pkg::*;
   import shading_pkg::*;
 #(
-  parameter methods_t Methods = AllMethods
+  parameter methods_t Methods = AllMethods,
+  parameter int unsigned Lanes = 1
 ) (
-  input  logic      clk_i,
-  input  logic      rst_ni,
+  input  logic            clk_i,
+  input  logic            rst_ni,
 
-  input  logic      frame_valid_i,
-  output logic      frame_ready_o,
-  input  frame_t    frame_i,
+  input  logic            material_valid_i,
+  input  material_index_t material_index_i,
+  input  material_t       material_i,
 
-  input  logic      triangle_valid_i,
-  output logic      triangle_ready_o,
-  input  triangle_t triangle_i,
+  input  logic            frame_valid_i,
+  output logic            frame_ready_o,
+  input  frame_t          frame_i,
 
-  input  logic      span_valid_i,
-  output logic      span_ready_o,
-  input  span_t     span_i,
+  input  logic            triangle_valid_i,
+  output logic            triangle_ready_o,
+  input  triangle_t       triangle_i,
 
-  output logic      pixel_valid_o,
-  input  logic      pixel_ready_i,
-  output pixel_t    pixel_o,
+  input  logic            span_valid_i,
+  output logic            span_ready_o,
+  input  span_t           span_i,
 
-  output counters_t counters_o    // of the current frame
+  output logic               pixel_valid_o,
+  input  logic               pixel_ready_i,
+  output pixel_t [Lanes-1:0] pixel_o,
+  output logic   [Lanes-1:0] pixel_mask_o,
+
+  output counters_t          counters_o    // of the current frame
 );
-  logic   frame_valid_q;
+  localparam bit HasSurface = |(Methods & SurfaceMethods);
+  localparam bit HasNormal = |(Methods & ~SurfaceMethods);
+
+  logic   frame_valid_q, take_frame, triangle_gate;
   frame_t frame_q;
-  logic   take_frame;
+  logic   is_normal;               // the frame interpolates normals
+  assign is_normal     = HasNormal && (!HasSurface || !SurfaceMethods[frame_q.method]);
+  assign triangle_gate = frame_valid_q && !frame_valid_i;
 
   ////////////
   // Set-up //
   ////////////
 
-  logic  triangle_gate, setup_triangle_ready, setup_busy, span_inside;
-  logic  seed_valid, seed_ready;
-  seed_t seed;
-  assign triangle_gate    = frame_valid_q && !frame_valid_i;
-  assign triangle_ready_o = setup_triangle_ready && triangle_gate;
+  logic  surface_triangle_ready, surface_span_ready, surface_busy, surface_inside;
+  logic  surface_valid, normal_triangle_ready, normal_span_ready, normal_busy, normal_inside;
+  logic  normal_valid, seed_ready;
+  seed_t seed;                     // of intensities
+  assign triangle_ready_o = (is_normal ? normal_triangle_ready : surface_triangle_ready)
+                            && triangle_gate;
+  assign span_ready_o     = is_normal ? normal_span_ready : surface_span_ready;
 
-  span_setup #(.Methods(Methods)) u_span_setup (
-    .clk_i, .rst_ni,
-    .method_i        (frame_q.method),
-    .triangle_valid_i(triangle_valid_i && triangle_gate),
-    .triangle_ready_o(setup_triangle_ready),
-    .triangle_i,
-    .span_valid_i, .span_ready_o, .span_i,
-    .seed_valid_o    (seed_valid),
-    .seed_ready_i    (seed_ready),
-    .seed_o          (seed),
-    .span_inside_o   (span_inside),
-    .busy_o          (setup_busy)
-  );
+  if (HasSurface) begin : gen_span_setup
+    span_setup #(.Methods(Methods & SurfaceMethods)) u_span_setup (
+      .clk_i, .rst_ni,
+      .method_i        (frame_q.method),
+      .triangle_valid_i(triangle_valid_i && triangle_gate && !is_normal),
+      .triangle_ready_o(surface_triangle_ready),
+      .triangle_i,
+      .span_valid_i    (span_valid_i && !is_normal),
+      .span_ready_o    (surface_span_ready),
+      .span_i,
+      .seed_valid_o    (surface_valid),
+      .seed_ready_i    (seed_ready && !is_normal),
+      .seed_o          (seed),
+      .span_inside_o   (surface_inside),
+      .busy_o          (surface_busy)
+    );
+  end else begin : gen_no_span_setup
+    assign {surface_triangle_ready, surface_span_ready, surface_valid} = '0;
+    assign {surface_inside, surface_busy, seed} = '0;
+  end
+
+  lit_run_t                                   lit_run;
+  quantity_seed_t [Components-1:0][Lanes-1:0] quantity;
+  length_seed_t   [Lanes-1:0]                 length;
+  kappa_t                                     kappa;
+  kappa_t [1:0]                               step_kappa;
+
+  if (HasNormal) begin : gen_normal_setup
+    logic                               run_valid, run_ready, binder_busy;
+    lit_run_t                           run;
+    span_normal_t [1:0][Components-1:0] normal;
+    setup_kind_t                        kind;
+    assign kind = '{
+      spherical: frame_q.method inside {MethodSlerp, MethodSlerpPaper, MethodSlerpIntensity},
+      cosines:   frame_q.method inside {MethodPhongDuff, MethodSlerpIntensity},
+      length:    frame_q.method == MethodPhongDuff};
+    assign normal_busy = binder_busy || normal_inside;
+
+    span_binder u_span_binder (
+      .clk_i, .rst_ni,
+      .triangle_valid_i(triangle_valid_i && triangle_gate && is_normal),
+      .triangle_ready_o(normal_triangle_ready),
+      .triangle_i,
+      .span_valid_i    (span_valid_i && is_normal),
+      .span_ready_o    (normal_span_ready),
+      .span_i,
+      .run_valid_o     (run_valid),
+      .run_ready_i     (run_ready),
+      .run_o           (run),
+      .normal_o        (normal),
+      .busy_o          (binder_busy)
+    );
+
+    normal_setup #(.Lanes(Lanes)) u_normal_setup (
+      .clk_i, .rst_ni,
+      .kind_i      (kind),
+      .light_i     (frame_q.light),
+      .span_valid_i(run_valid),
+      .span_ready_o(run_ready),
+      .run_i       (run),
+      .normal_i    (normal),
+      .seed_valid_o(normal_valid),
+      .seed_ready_i(seed_ready && is_normal),
+      .run_o       (lit_run),
+      .quantity_o  (quantity),
+      .length_o    (length),
+      .kappa_o     (kappa),
+      .step_kappa_o(step_kappa),
+      .busy_o      (normal_inside)
+    );
+  end else begin : gen_no_normal_setup
+    assign {normal_triangle_ready, normal_span_ready, normal_valid} = '0;
+    assign {normal_busy, normal_inside, lit_run, quantity, length, kappa, step_kappa} = '0;
+  end
 
   ////////////
   // Pixels //
   ////////////
 
-  logic load, step;
-  pixel_walker u_pixel_walker (
+  logic                         load, step, walker_valid, walker_ready, queue_ready;
+  run_t                         run;
+  position_t [Lanes-1:0]        position;
+  logic      [Lanes-1:0]        mask;
+  assign run          = is_normal ? lit_run.run : seed.run;
+  assign walker_ready = is_normal ? queue_ready : pixel_ready_i;
+
+  pixel_walker #(.Lanes(Lanes)) u_pixel_walker (
     .clk_i, .rst_ni,
-    .run_valid_i  (seed_valid),
+    .run_valid_i  (is_normal ? normal_valid : surface_valid),
     .run_ready_o  (seed_ready),
-    .run_i        (seed.run),
-    .pixel_valid_o, .pixel_ready_i,
-    .pixel_x_o    (pixel_o.x),
-    .pixel_y_o    (pixel_o.y),
-    .pixel_z_o    (pixel_o.z),
-    .pixel_last_o (pixel_o.last),
+    .run_i        (run),
+    .pixel_valid_o(walker_valid),
+    .pixel_ready_i(walker_ready),
+    .position_o   (position),
+    .mask_o       (mask),
     .load_o       (load),
     .step_o       (step)
   );
 
-  code_t [Channels-1:0] code;
-  assign pixel_o.r = code[0];
-  assign pixel_o.g = code[1];
-  assign pixel_o.b = code[2];
+  code_t [Lanes-1:0][Channels-1:0] surface_code;
+  if (HasSurface) begin : gen_surface_shader
+    surface_shader #(.Methods(Methods & SurfaceMethods), .Lanes(Lanes)) u_surface_shader (
+      .clk_i,
+      .method_i(frame_q.method),
+      .load_i  (load && !is_normal),
+      .step_i  (step && !is_normal),
+      .seed_i  (seed.channel),
+      .code_o  (surface_code)
+    );
+  end else begin : gen_no_surface_shader
+    assign surface_code = '0;
+  end
 
-  for (genvar ch = 0; ch < Channels; ch++) begin : gen_channel
-    code_t [NumMethods-1:0] method_code;
-    logic  [NumMethods-1:0] selected;
-    for (genvar m = 0; m < NumMethods; m++) begin : gen_selected
-      assign selected[m] = Methods == methods_t'(1 << m) || frame_q.method == method_e'(m);
-    end
+  logic               lit_valid, queue_busy;
+  pixel_t [Lanes-1:0] lit_pixel;
+  logic   [Lanes-1:0] lit_mask, unlit, no_highlight;
 
-    if (Methods[MethodFlat]) begin : gen_flat
-      flat_color u_flat_color (
-        .clk_i, .load_i(load && selected[MethodFlat]),
-        .seed_i(seed.channel[ch]), .code_o(method_code[MethodFlat]));
-    end else begin : gen_no_flat
-      assign method_code[MethodFlat] = '0;
-    end
+  if (HasNormal) begin : gen_light
+    logic                            cosines_valid, code_valid;
+    cosines_t [Lanes-1:0]            cosines;
+    code_t [Lanes-1:0][Channels-1:0] code;
+    logic  [Lanes-1:0]               code_unlit, code_no_highlight;
+    material_index_t                 material_q, cosines_material;  // of the run; of the cosines
 
-    if (Methods[MethodGouraud]) begin : gen_gouraud
-      gouraud_interpolator u_gouraud_interpolator (
-        .clk_i, .load_i(load && selected[MethodGouraud]), .step_i(step && selected[MethodGouraud]),
-        .seed_i(seed.channel[ch]), .code_o(method_code[MethodGouraud]));
-    end else begin : gen_no_gouraud
-      assign method_code[MethodGouraud] = '0;
-    end
+    always_ff @(posedge clk_i) if (load && is_normal) material_q <= lit_run.material;
 
-    if (Methods[MethodQuad]) begin : gen_quad
-      quad_surface u_quad_surface (
-        .clk_i, .load_i(load && selected[MethodQuad]), .step_i(step && selected[MethodQuad]),
-        .seed_i(seed.channel[ch]), .code_o(method_code[MethodQuad]));
-    end else begin : gen_no_quad
-      assign method_code[MethodQuad] = '0;
-    end
+    normal_shader #(.Methods(Methods & ~SurfaceMethods), .Lanes(Lanes)) u_normal_shader (
+      .clk_i, .rst_ni,
+      .method_i    (frame_q.method),
+      .light_i     (frame_q.light),
+      .load_i      (load && is_normal),
+      .step_i      (step && is_normal),
+      .quantity_i  (quantity),
+      .length_i    (length),
+      .kappa_i     (kappa),
+      .step_kappa_i(step_kappa),
+      .valid_i     (walker_valid && queue_ready && is_normal),
+      .valid_o     (cosines_valid),
+      .cosines_o   (cosines)
+    );
 
-    always_comb begin
-      code[ch] = '0;
-      for (int m = 0; m < NumMethods; m++) begin
-        if (Methods[m] && selected[m]) code[ch] = method_code[m];
-      end
-    end
+    pixel_light #(.Lanes(Lanes)) u_pixel_light (
+      .clk_i, .rst_ni,
+      .light_i       (frame_q.light),
+      .material_valid_i, .material_index_i, .material_i,
+      .valid_i       (cosines_valid),
+      .index_i       (cosines_material),
+      .cosines_i     (cosines),
+      .valid_o       (code_valid),
+      .code_o        (code),
+      .unlit_o       (code_unlit),
+      .no_highlight_o(code_no_highlight)
+    );
+
+    pixel_queue #(.Lanes(Lanes)) u_pixel_queue (
+      .clk_i, .rst_ni,
+      .enter_valid_i  (walker_valid && is_normal),
+      .enter_ready_o  (queue_ready),
+      .position_i     (position),
+      .mask_i         (mask),
+      .material_i     (material_q),
+      .cosines_valid_i(cosines_valid),
+      .material_o     (cosines_material),
+      .code_valid_i   (code_valid),
+      .code_i         (code),
+      .unlit_i        (code_unlit),
+      .no_highlight_i (code_no_highlight),
+      .pixel_valid_o  (lit_valid),
+      .pixel_ready_i,
+      .pixel_o        (lit_pixel),
+      .mask_o         (lit_mask),
+      .unlit_o        (unlit),
+      .no_highlight_o (no_highlight),
+      .busy_o         (queue_busy)
+    );
+  end else begin : gen_no_light
+    assign {lit_valid, queue_busy, queue_ready, lit_pixel, lit_mask} = '0;
+    assign {unlit, no_highlight} = '0;
+  end
+
+  assign pixel_valid_o = is_normal ? lit_valid : walker_valid;
+  assign pixel_mask_o  = is_normal ? lit_mask : mask;
+  for (genvar lane = 0; lane < Lanes; lane++) begin : gen_pixel
+    pixel_t surface_pixel;
+    assign surface_pixel = '{
+      x: position[lane].x, y: position[lane].y, z: position[lane].z, r: surface_code[lane][0],
+      g: surface_code[lane][1], b: surface_code[lane][2], last: position[lane].last};
+    assign pixel_o[lane] = is_normal ? lit_pixel[lane] : surface_pixel;
   end
 
   ////////////////////////
   // Frame and counters //
   ////////////////////////
 
-  counters_t counters_q;
-  assign counters_o    = counters_q;
-  assign frame_ready_o = !setup_busy && !pixel_valid_o;
+  logic span_inside;
+  assign span_inside   = is_normal ? normal_inside || walker_valid || queue_busy : surface_inside;
+  assign frame_ready_o = !surface_busy && !normal_busy && !walker_valid && !queue_busy;
   assign take_frame    = frame_valid_i && frame_ready_o;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -144,21 +274,27 @@ module shading_unit
     else if (take_frame) frame_valid_q <= 1'b1;
   end
 
-  always_ff @(posedge clk_i) begin
-    if (take_frame) begin
-      frame_q    <= frame_i;
-      counters_q <= '0;
-    end else begin
-      if (pixel_valid_o && pixel_ready_i)  counters_q.pixels <= counters_q.pixels + 1'b1;
-      if (pixel_valid_o && !pixel_ready_i) counters_q.stall  <= counters_q.stall + 1'b1;
-      if (!pixel_valid_o && span_inside)   counters_q.setup  <= counters_q.setup + 1'b1;
-    end
-  end
+  frame_counters #(.Lanes(Lanes)) u_frame_counters (
+    .clk_i,
+    .clear_i       (take_frame),
+    .offer_i       (pixel_valid_o),
+    .take_i        (pixel_valid_o && pixel_ready_i),
+    .inside_i      (span_inside),
+    .mask_i        (pixel_mask_o),
+    .unlit_i       (is_normal ? unlit : '0),
+    .no_highlight_i(is_normal ? no_highlight : '0),
+    .counters_o
+  );
+
+  always_ff @(posedge clk_i) if (take_frame) frame_q <= frame_i;
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (take_frame) begin
       assert (Methods[frame_i.method]) else $error("shading_unit: method is not in this build");
+    end
+    if (material_valid_i) begin
+      assert (!queue_busy) else $error("shading_unit: a material changes under its pixels");
     end
   end
 `endif

@@ -47,7 +47,8 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
   };
   command->add_option("SCENE", o->scenes,
                       "mesh file, builtin:NAME[:N] (see shadesim list), or .jsonl of packets");
-  command->add_option("--method", w->method, "flat, gouraud, quad or all")->capture_default_str();
+  command->add_option("--method", w->method, "a method of shadesim list, or all")
+      ->capture_default_str();
   view(command->add_option("--size", w->size, "picture WxH, 1..4096 each (640x480)"));
   view(command->add_option("--camera", w->camera, "ortho or persp")
            ->check(CLI::IsMember({"ortho", "persp"})));
@@ -57,11 +58,11 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
            ->check(CLI::IsMember({"blinn", "phong"})));
   view(command->add_option("--cull", w->cull, "which faces to drop")
            ->check(CLI::IsMember({"back", "none"})));
-  command->add_option("--lanes", w->lanes, "pixels per cycle: 1 (no method has 4 yet)")
-      ->check(CLI::IsMember({1}));
+  command->add_option("--lanes", w->lanes, "pixels per cycle: 1 or 4")
+      ->check(CLI::IsMember({1, 4}));
   command
       ->add_option("--tolerance", w->tolerance,
-                   "LSB that an adaptive method may spend; flat, gouraud and quad spend none")
+                   "LSB that an adaptive method may spend; no method so far spends any")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--triangles-out", o->triangles_out, "write the packets, .jsonl");
 }
@@ -123,11 +124,14 @@ std::vector<Method> Methods(const std::string& word) {
   for (const Method method : kAllMethods) {
     if (word == Name(method)) return {method};
   }
-  Refuse(fmt::format("unknown method '{}': take flat, gouraud, quad or all", word));
+  std::string names;
+  for (const Method method : kAllMethods) names += fmt::format("{}, ", Name(method));
+  Refuse(fmt::format("unknown method '{}': take {}or all", word, names));
 }
 
 void Finish(const Words& w, Options* o) {
   o->methods = Methods(w.method);
+  o->lanes = w.lanes;
   o->view.perspective = w.camera == "persp";
   o->view.lighting = w.lighting == "phong" ? Lighting::kPhong : Lighting::kBlinn;
   o->view.cull = w.cull == "none" ? Cull::kNone : Cull::kBack;

@@ -20,6 +20,7 @@ struct Options {
   std::vector<std::string> scenes;
   std::vector<Method> methods;
   Engine engine = Engine::kRtl;
+  int lanes = 1;  // pixels per cycle
   ViewOptions view;
   bool view_given = false;  // an option that a packet file decides by itself
   std::string backpressure = "none";

@@ -10,6 +10,7 @@
 #include "model/ideal/gouraud.h"
 #include "model/ideal/phong.h"
 #include "model/ideal/quadratic.h"
+#include "model/ideal/slerp.h"
 
 namespace shading::sim {
 namespace {
@@ -37,6 +38,12 @@ void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, Method m
     case Method::kFlat: return ForEachPixel<ideal::Flat>(picture, list, visit);
     case Method::kGouraud: return ForEachPixel<ideal::Gouraud>(picture, list, visit);
     case Method::kQuad: return ForEachPixel<ideal::Quadratic>(picture, list, visit);
+    case Method::kPhong:
+    case Method::kPhongDuff: return ForEachPixel<ideal::Phong>(picture, list, visit);
+    case Method::kPhongTaylor: return ForEachPixel<ideal::PhongTaylor>(picture, list, visit);
+    case Method::kSlerp:
+    case Method::kSlerpPaper:
+    case Method::kSlerpIntensity: return ForEachPixel<ideal::Slerp>(picture, list, visit);
   }
 }
 

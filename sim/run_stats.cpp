@@ -50,7 +50,11 @@ Json ToJson(const RunStats& run) {
   json["skipped"] = {{"back_facing", run.skipped.back_facing},
                      {"degenerate", run.skipped.degenerate},
                      {"off_screen", run.skipped.off_screen},
-                     {"empty", run.skipped.empty}};
+                     {"empty", run.skipped.empty},
+                     {"unlit", run.counters.unlit},
+                     {"no_highlight", run.counters.no_highlight}};
+  json["split_spans"] = run.split_spans;
+  json["lanes"] = run.lanes;
   if (run.comparison) {
     const Comparison& c = *run.comparison;
     json["pixels_compared"] = c.pixels_compared;
@@ -107,6 +111,7 @@ void Comparison::Add(const Comparison& other) {
 void RunStats::AddWork(const FrameWork& work, int64_t packets) {
   triangles += packets;
   spans += static_cast<int64_t>(work.spans.size());
+  split_spans += work.split_spans;
   AddSkips(work.skipped, &skipped);
 }
 
@@ -117,6 +122,9 @@ void RunStats::Add(const RunStats& other) {
   counters.pixels += other.counters.pixels;
   counters.setup += other.counters.setup;
   counters.stall += other.counters.stall;
+  counters.unlit += other.counters.unlit;
+  counters.no_highlight += other.counters.no_highlight;
+  split_spans += other.split_spans;
   AddSkips(other.skipped, &skipped);
   sim_seconds += other.sim_seconds;
   if (other.comparison) {
@@ -134,6 +142,7 @@ void WriteJson(const std::string& path, const std::vector<RunStats>& runs) {
   total.method = runs[0].method;
   total.width = runs[0].width;
   total.height = runs[0].height;
+  total.lanes = runs[0].lanes;
   for (const RunStats& run : runs) {
     if (run.method != total.method) total.method = "all";
     if (run.width != total.width || run.height != total.height) total.width = total.height = 0;
@@ -159,6 +168,10 @@ std::string Summary(const RunStats& run) {
         "{} empty",
         run.skipped.total(), run.skipped.back_facing, run.skipped.degenerate,
         run.skipped.off_screen, run.skipped.empty);
+  }
+  if (run.counters.unlit + run.counters.no_highlight + run.split_spans > 0) {
+    text += fmt::format("\n  {} pixels unlit, {} without highlight, {} spans split",
+                        run.counters.unlit, run.counters.no_highlight, run.split_spans);
   }
   if (run.comparison) {
     const Comparison& c = *run.comparison;

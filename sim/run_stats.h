@@ -33,6 +33,8 @@ struct RunStats {
   int width = 0, height = 0;
   int64_t triangles = 0;  // packets
   int64_t spans = 0, cycles = 0;
+  int64_t split_spans = 0;  // spans in two: their normals are over 90 degrees apart
+  int lanes = 1;            // pixels per cycle
   Counters counters;
   SkipCounts skipped;
   double sim_seconds = 0;

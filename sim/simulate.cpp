@@ -50,9 +50,10 @@ void Describe(const Frame& frame, const FrameWork& work, const char* engine, Run
   stats->AddWork(work, static_cast<int64_t>(frame.list.triangles.size()));
 }
 
-RunStats RunModel(const FrameWork& work, const FlowPattern& sink, tb::PixelConsumer* consumer) {
+RunStats RunModel(const FrameWork& work, int lanes, const FlowPattern& sink,
+                  tb::PixelConsumer* consumer) {
   const Stopwatch watch;
-  ShadingUnit model(work.method, FlowPattern::Always(), sink);
+  ShadingUnit model(work, lanes, FlowPattern::Always(), sink);
   std::vector<Pixel> pixels(kMaxScreen);
   std::vector<TimedPixel> timed(kMaxScreen);
   RunStats stats;
@@ -74,12 +75,12 @@ RunStats RunModel(const FrameWork& work, const FlowPattern& sink, tb::PixelConsu
   return stats;
 }
 
-RunStats RunRtl(const FrameWork& work, const FlowPattern& sink, const std::string& trace,
+RunStats RunRtl(const FrameWork& work, int lanes, const FlowPattern& sink, const std::string& trace,
                 tb::PixelConsumer* consumer) {
   const Stopwatch watch;
   tb::Observation observation;
   observation.trace = trace;
-  const tb::RtlResult result = tb::RtlShadingUnit::Create(work.method)
+  const tb::RtlResult result = tb::RtlShadingUnit::Create(work.method, lanes)
                                    ->Run(work, FlowPattern::Always(), sink, consumer, observation);
   if (!result.finished || result.pixels != work.pixels) {
     throw std::runtime_error(
@@ -93,16 +94,16 @@ RunStats RunRtl(const FrameWork& work, const FlowPattern& sink, const std::strin
   return stats;
 }
 
-Checked RunChecked(const FrameWork& work, const FlowPattern& source, const FlowPattern& sink,
-                   const std::string& trace, bool record_spans) {
+Checked RunChecked(const FrameWork& work, int lanes, const FlowPattern& source,
+                   const FlowPattern& sink, const std::string& trace, bool record_spans) {
   const Stopwatch watch;
   Checked checked;
-  tb::Scoreboard scoreboard(work, source, sink);
+  tb::Scoreboard scoreboard(work, lanes, source, sink);
   if (record_spans) scoreboard.RecordSpans(&checked.spans);
   tb::Observation observation;
   observation.trace = trace;
-  const tb::RtlResult result =
-      tb::RtlShadingUnit::Create(work.method)->Run(work, source, sink, &scoreboard, observation);
+  const tb::RtlResult result = tb::RtlShadingUnit::Create(work.method, lanes)
+                                   ->Run(work, source, sink, &scoreboard, observation);
   checked.verdicts = scoreboard.Finish(result);
   checked.stats.cycles = result.cycles;
   checked.stats.counters = result.counters;

@@ -22,10 +22,11 @@ Frame LoadFrame(const std::string& scene, const Options& options);
 std::vector<Frame> LoadFrames(const Options& options);
 
 // Runs the model without the RTL.
-RunStats RunModel(const FrameWork& work, const FlowPattern& sink, tb::PixelConsumer* consumer);
+RunStats RunModel(const FrameWork& work, int lanes, const FlowPattern& sink,
+                  tb::PixelConsumer* consumer);
 
 // Runs the RTL alone. Throws std::runtime_error when it does not finish.
-RunStats RunRtl(const FrameWork& work, const FlowPattern& sink, const std::string& trace,
+RunStats RunRtl(const FrameWork& work, int lanes, const FlowPattern& sink, const std::string& trace,
                 tb::PixelConsumer* consumer);
 
 // Runs the RTL against the model.
@@ -34,8 +35,8 @@ struct Checked {
   tb::Verdicts verdicts;
   std::vector<tb::SpanRecord> spans;  // filled when asked for
 };
-Checked RunChecked(const FrameWork& work, const FlowPattern& source, const FlowPattern& sink,
-                   const std::string& trace, bool record_spans);
+Checked RunChecked(const FrameWork& work, int lanes, const FlowPattern& source,
+                   const FlowPattern& sink, const std::string& trace, bool record_spans);
 
 // Scene, method, engine, size and what the front end counted.
 void Describe(const Frame& frame, const FrameWork& work, const char* engine, RunStats* stats);

@@ -39,10 +39,10 @@ struct RtlResult {
 // The Verilated shading unit, driven by a plain loop.
 class RtlShadingUnit {
  public:
-  // The smallest build that contains the method.
-  static std::unique_ptr<RtlShadingUnit> Create(Method method);
+  // The smallest build that contains the method; lanes: 1 or 4.
+  static std::unique_ptr<RtlShadingUnit> Create(Method method, int lanes = 1);
   // The build with all methods.
-  static std::unique_ptr<RtlShadingUnit> CreateAll();
+  static std::unique_ptr<RtlShadingUnit> CreateAll(int lanes = 1);
 
   virtual ~RtlShadingUnit() = default;
 

@@ -23,6 +23,7 @@ class LinearRecurrence {
       "linear_recurrence",   "normal", 1, 1, "seed S1.38", "value S1.38, wraps", 1024,
       "spans of 2048 pixels"};
 
+  LinearRecurrence() = default;
   explicit LinearRecurrence(const QuantitySeed& seed)
       : value_(Align(seed.first)), difference_(Align(seed.difference)) {}
 
@@ -32,8 +33,8 @@ class LinearRecurrence {
   void Step() { value_ += difference_; }
 
  private:
-  uint64_t value_;       // s(t)
-  uint64_t difference_;  // D
+  uint64_t value_ = 0;       // s(t)
+  uint64_t difference_ = 0;  // D
 };
 
 }  // namespace shading

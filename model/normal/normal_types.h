@@ -42,6 +42,15 @@ struct LengthSeed {
   LengthSquare curvature;   // second difference
 };
 
+using Angle = U<1, 40>;  // radians, [0, 2); sums wrap
+
+// Span on a great circle, N(t) = start cos(t step) + side sin(t step), paper 000 (6). Twin of arc_t.
+struct SpanArc {
+  Angle step;        // from pixel to pixel
+  SpanNormal start;  // Na
+  SpanNormal side;   // Nk, a quarter of a turn ahead of Na
+};
+
 // Start of a span for the units that interpolate normals; the stride is the number of lanes, lane j
 // starts at pixel j. Fields that a method does not use are 0.
 struct NormalSeed {

@@ -23,6 +23,7 @@ class SlerpRecurrence {
       1025,
       "2048 pixels that turn at most 90 degrees, amplitude 1; ulp of 2^-28"};
 
+  SlerpRecurrence() = default;
   SlerpRecurrence(const QuantitySeed& seed, const Kappa& kappa)
       : value_(Align(seed.first)),
         difference_(Align(seed.difference)),
@@ -44,10 +45,10 @@ class SlerpRecurrence {
   static constexpr uint64_t kHalfOperand = uint64_t{1} << (kOperandAlign - 1);
   static constexpr int kRoundingShift = 17;  // leaves one bit below S1.38, for exponent 0
 
-  uint64_t value_;       // s(t)
-  uint64_t difference_;  // d(t)
-  int64_t mantissa_;
-  int shift_;
+  uint64_t value_ = 0;       // s(t)
+  uint64_t difference_ = 0;  // d(t)
+  int64_t mantissa_ = 0;
+  int shift_ = 0;
 };
 
 }  // namespace shading

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/raster/front_end.h"
 
+#include <stdexcept>
+
 #include "model/light/mean_cosines.h"
+#include "model/normal/span_normals.h"
 #include "model/raster/span_walker.h"
 #include "model/raster/surface_fit.h"
 
@@ -15,9 +18,7 @@ std::array<Intensity, 3> Channel(const NodeColors& colors, size_t ch) {
 }
 
 // Halves up to the 2^-16 of a code: where opposed normals leave the middle undefined.
-Intensity Mean(Intensity a, Intensity b) {
-  return Intensity::FromRaw((a.raw() + b.raw() + 1) / 2);
-}
+Intensity Mean(Intensity a, Intensity b) { return Intensity::FromRaw((a.raw() + b.raw() + 1) / 2); }
 
 void Count(Verdict verdict, SkipCounts* skipped) {
   switch (verdict) {
@@ -52,12 +53,24 @@ FrontEnd::FrontEnd(const FrameState& frame, Method method)
     : frame_(frame), method_(method), light_(frame) {}
 
 FrameWork FrontEnd::Run(const TriangleList& list, Method method) {
-  FrameWork work;
-  work.method = method;
   const FrontEnd front_end(list.frame, method);
+  FrameWork work = front_end.Begin();
   for (size_t i = 0; i < list.triangles.size(); ++i) {
     front_end.Add(list.triangles[i], static_cast<uint32_t>(i), &work);
   }
+  return work;
+}
+
+FrameWork FrontEnd::Begin() const {
+  FrameWork work;
+  work.method = method_;
+  if (!InterpolatesNormals(method_)) return work;
+  if (frame_.materials.size() > kMaxMaterials) {
+    throw std::length_error("the scene has " + std::to_string(frame_.materials.size()) +
+                            " materials; methods that light every pixel hold 256");
+  }
+  work.light = LightOf(frame_);
+  work.materials = frame_.materials;
   return work;
 }
 
@@ -75,12 +88,20 @@ void FrontEnd::Add(const TrianglePacket& packet, uint32_t index, FrameWork* work
     return;
   }
 
-  const SpanCommand& origin = work->spans[first];
+  const SpanCommand origin = work->spans[first];
   TriangleState triangle;
   triangle.origin_x = origin.x;
   triangle.origin_y = origin.y;
   triangle.dz_dx = DepthAcc::Wrap(static_cast<int64_t>(depth.dx));
-  triangle.surface = Fit(packet, geometry, origin);
+  if (InterpolatesNormals(method_)) {
+    using Interpolation = SpanNormals::Interpolation;
+    triangle.material = packet.material;
+    work->split_spans += SpanNormals::Attach(
+        geometry, packet, IsSpherical(method_) ? Interpolation::kSpherical : Interpolation::kLinear,
+        first, triangle.dz_dx, &work->spans);
+  } else {
+    triangle.surface = Fit(packet, geometry, origin);
+  }
   work->triangles.push_back(triangle);
   work->packet.push_back(index);
   work->pixels += pixels;

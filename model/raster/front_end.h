@@ -14,7 +14,11 @@ class FrontEnd {
  public:
   FrontEnd(const FrameState& frame, Method method);
 
+  // Throws std::length_error when a method that interpolates normals meets more than kMaxMaterials.
   static FrameWork Run(const TriangleList& list, Method method);
+
+  // A frame without triangles.
+  FrameWork Begin() const;
 
   // Appends the triangle and its spans to `work`, or counts why not.
   void Add(const TrianglePacket& packet, uint32_t index, FrameWork* work) const;

@@ -48,6 +48,7 @@ void SpanSetup::Seed(Method method, const TriangleState& triangle, const SpanCom
     case Method::kFlat: return SeedChannels(triangle, span, FlatSeed, seed);
     case Method::kGouraud: return SeedChannels(triangle, span, GouraudSeed, seed);
     case Method::kQuad: return SeedChannels(triangle, span, QuadSeed, seed);
+    default: return;
   }
 }
 

@@ -21,7 +21,7 @@ class SpanSetup {
       "span_setup",      "raster", 7, 5, "coefficients S9.26, coordinates S12.0", "seed S9.26", 0,
       "results in S9.26"};
 
-  // Products of one span, and cycles between two spans of the method.
+  // Products of one span, and cycles between two spans of the method: one of intensities.
   static constexpr int Steps(Method method) {
     return method == Method::kQuad ? 5 : method == Method::kGouraud ? 2 : 1;
   }

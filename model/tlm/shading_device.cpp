@@ -110,9 +110,11 @@ void ShadingDevice::Start() {
   setup_ = FrameSetup();
   error_ = DecodeFrame(registers_, &setup_);
   discard_ = error_ != DeviceError::kNone;
-  if (!discard_) front_end_ = std::make_unique<FrontEnd>(setup_.state, setup_.method);
   frame_work_ = FrameWork();
-  frame_work_.method = setup_.method;
+  if (!discard_) {
+    front_end_ = std::make_unique<FrontEnd>(setup_.state, setup_.method);
+    frame_work_ = front_end_->Begin();
+  }
   packets_ = 0;
   ended_ = false;
   phase_ = Phase::kOpen;

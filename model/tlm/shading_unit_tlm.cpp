@@ -7,7 +7,7 @@ namespace shading {
 
 ShadingDevice::CoreResult ShadingUnitTlm::Shade(const FrameWork& work,
                                                 const FlowPattern& pixel_flow, SpanSink* sink) {
-  ShadingUnit unit(work.method, FlowPattern::Always(), pixel_flow);
+  ShadingUnit unit(work, 1, FlowPattern::Always(), pixel_flow);
   std::vector<Pixel> pixels(kMaxScreen);
   auto triangle = work.triangles.begin();
   bool first_span = true;

@@ -36,6 +36,28 @@ package normal_pkg;
     length_sq_t curvature;                   // second difference
   } length_seed_t;
 
+  typedef u1_40_t angle_t;                   // radians, [0, 2); sums wrap
+
+  // Span on a great circle, N(t) = start cos(t step) + side sin(t step), paper 000 (6).
+  typedef struct packed {
+    angle_t             step;                // from pixel to pixel
+    span_normal_t [2:0] start;               // Na
+    span_normal_t [2:0] side;                // Nk, a quarter of a turn ahead of Na
+  } arc_t;
+
+  typedef logic signed [42:0] arc_rise_t;    // Nk sin(phi), S2.40
+
+  // Between the stages of slerp_direct_setup: kappa = x 4^-exponent and its functions.
+  typedef struct packed {
+    logic               straight;            // kappa = 0
+    logic        [ 4:0] exponent;
+    logic        [29:0] x;                   // U2.28, [1, 4)
+    u1_24_t             root;                // 1/sqrt(x)
+    logic signed [24:0] correction;          // 1 - x root^2, 46 fraction bits
+    logic        [34:0] angle;               // phi / sqrt(kappa), U1.34
+    logic        [34:0] sine;                // sqrt(kappa) / sin(phi), U1.34
+  } arc_turn_t;
+
   // 1/sqrt(q) = mantissa 2^exponent; mantissa in [1/2, 1], exponent 0..22.
   typedef struct packed {
     u1_24_t     mantissa;
@@ -48,4 +70,17 @@ package normal_pkg;
     logic [20:0] slope;
     logic [12:0] curvature;
   } root_coefficients_t;
+
+  // S1.38 -> S1.24: rounds halves up, saturates.
+  function automatic pixel_normal_t to_pixel_normal(quantity_t value);
+    logic signed [40:0] rounded;
+    rounded = 41'(value) + 41'sd8192;
+    if (rounded[40:39] == 2'b01) to_pixel_normal = {1'b0, {25{1'b1}}};
+    else                         to_pixel_normal = rounded[39:14];
+  endfunction
+
+  // S1.38 -> S1.30: rounds halves up, saturates.
+  function automatic cosine_t quantity_to_cosine(quantity_t value);
+    quantity_to_cosine = to_cosine(35'((41'(value) + 41'sd128) >>> 8));
+  endfunction
 endpackage

@@ -5,6 +5,7 @@
 package shading_pkg;
   import fixed_pkg::*;
   import light_pkg::*;
+  import normal_pkg::*;
 
   typedef s9_26_t      intensity_acc_t;      // intensity in codes, for recurrences; sums wrap
   typedef u0_24_t      depth_t;              // [0, 1), smaller is nearer
@@ -13,16 +14,29 @@ package shading_pkg;
   typedef logic signed [12:0] offset_t;      // pixels from the triangle's origin, -4095..4095
   typedef logic [12:0] span_length_t;        // pixels in one span, 1..4096
 
-  typedef enum logic [1:0] {
-    MethodFlat    = 2'd0,
-    MethodGouraud = 2'd1,
-    MethodQuad    = 2'd2
+  typedef enum logic [3:0] {
+    MethodFlat           = 4'd0,
+    MethodGouraud        = 4'd1,
+    MethodQuad           = 4'd2,
+    MethodPhong          = 4'd3,
+    MethodPhongTaylor    = 4'd4,
+    MethodPhongDuff      = 4'd5,
+    MethodSlerp          = 4'd6,
+    MethodSlerpPaper     = 4'd7,
+    MethodSlerpIntensity = 4'd8
   } method_e;
 
   // Which methods a build contains: bit k stands for the method with value k.
-  localparam int unsigned NumMethods = 3;
+  localparam int unsigned NumMethods = 9;
   typedef logic [NumMethods-1:0] methods_t;
   localparam methods_t AllMethods = '1;
+  // Methods that interpolate intensities; the others interpolate normals or cosines.
+  localparam methods_t SurfaceMethods = 9'b000000111;
+
+  // The build has several methods and the frame names this one, or has only this one.
+  function automatic logic is_method(methods_t built, method_e frame, method_e method);
+    is_method = built[method] && (built == methods_t'(1 << method) || frame == method);
+  endfunction
 
   // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes; x and y in pixels from
   // the triangle's origin. F carries the half code that makes truncation round to nearest.
@@ -37,12 +51,14 @@ package shading_pkg;
 
   typedef struct packed {
     method_e method;
+    light_t  light;                          // methods that interpolate normals
   } frame_t;
 
   typedef struct packed {
     coord_t                  origin_x;       // first pixel of the first span
     coord_t                  origin_y;
     depth_acc_t              dz_dx;          // depth step per pixel
+    material_index_t         material;       // methods that interpolate normals
     surface_t [Channels-1:0] surface;
   } triangle_t;
 
@@ -52,6 +68,8 @@ package shading_pkg;
     span_length_t length;
     depth_acc_t   z;                         // at the first pixel's centre, plus half a depth ulp
     logic         last;                      // last span of its triangle
+    // At the first [0] and last [1] pixel: methods that interpolate normals.
+    span_normal_t [1:0][Components-1:0] normal;
   } span_t;
 
   // Where a span lies: what the pixel walker needs.
@@ -82,6 +100,14 @@ package shading_pkg;
     channel_seed_t [Channels-1:0] channel;
   } seed_t;
 
+  // Where a pixel lies.
+  typedef struct packed {
+    coord_t x;
+    coord_t y;
+    depth_t z;
+    logic   last;                            // last pixel of its span
+  } position_t;
+
   typedef struct packed {
     coord_t x;
     coord_t y;
@@ -92,11 +118,13 @@ package shading_pkg;
     logic   last;                            // last pixel of its span
   } pixel_t;
 
-  // Performance counters of one frame, in cycles.
+  // Performance counters of one frame.
   typedef struct packed {
-    logic [31:0] pixels;                     // a pixel left
-    logic [31:0] stall;                      // a pixel was on offer and not taken
-    logic [31:0] setup;                      // no pixel was on offer although a span was inside
+    logic [31:0] pixels;                     // pixels that left
+    logic [31:0] stall;                      // cycles: pixels were on offer and not taken
+    logic [31:0] setup;                      // cycles: no pixel on offer although a span was inside
+    logic [31:0] unlit;                      // pixels with N.L <= 0; normal methods
+    logic [31:0] no_highlight;               // pixels whose power was not computed; normal methods
   } counters_t;
 
   // S9.26 -> U8.0: truncates the fraction, clamps to 0..255.

@@ -1,59 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Walks the pixels of a span: position and depth of each, and the load and step commands for the
-// intensity units that march with it.
+// Walks the pixels of a span, Lanes at a time: position and depth of each, and the load and step
+// commands for the units that march with it.
 //
 //   x(i) = x + i,   z(i) = z + i dz/dx
 //
-// Timing    Latency 1 cycle from run accepted to first pixel, then 1 pixel per cycle.
+// Timing    Latency 1 cycle from run accepted to first pixels, then Lanes pixels per cycle.
 //           ready/valid on both ports; back-to-back runs leave no bubble.
 // Formats   depth in S1.38 (half an ulp of U0.24 included), out U0.24 (truncate, clamp).
 // Error     dz/dx rounded to 2^-39 moves pixel i by i 2^-39: <= 1/8 ulp of U0.24 for 4096 pixels.
 // Model     model/raster/pixel_walker.h      Doc  docs/units/raster/pixel_walker.md
 module pixel_walker
   import shading_pkg::*;
-(
-  input  logic   clk_i,
-  input  logic   rst_ni,
+#(
+  parameter int unsigned Lanes = 1
+) (
+  input  logic      clk_i,
+  input  logic      rst_ni,
 
   // Runs, one per span.
-  input  logic   run_valid_i,
-  output logic   run_ready_o,
-  input  run_t   run_i,
+  input  logic      run_valid_i,
+  output logic      run_ready_o,
+  input  run_t      run_i,
 
-  // Pixels, left to right.
-  output logic   pixel_valid_o,
-  input  logic   pixel_ready_i,
-  output coord_t pixel_x_o,
-  output coord_t pixel_y_o,
-  output depth_t pixel_z_o,
-  output logic   pixel_last_o,
+  // Pixels, left to right: lane j holds pixel j of the group, mask_o says which lanes do.
+  output logic                  pixel_valid_o,
+  input  logic                  pixel_ready_i,
+  output position_t [Lanes-1:0] position_o,
+  output logic      [Lanes-1:0] mask_o,
 
-  output logic   load_o,          // a run is taken: load the intensity units
-  output logic   step_o           // the run goes on: step them
+  output logic      load_o,       // a run is taken: load the units that march along
+  output logic      step_o        // the run goes on: step them
 );
   localparam int unsigned Latency = 1;
+  localparam depth_acc_t LaneCount = depth_acc_t'(Lanes);
 
-  coord_t       x_q, y_q;
-  depth_acc_t   z_q, dz_dx_q;
-  span_length_t left_q;           // pixels left, this one included
+  coord_t                 x_q, y_q;
+  depth_acc_t [Lanes-1:0] z_q;
+  depth_acc_t             dz_dx_q;
+  span_length_t           left_q;  // pixels left, this group included
 
-  logic send_pixel;
-  assign send_pixel    = pixel_valid_o && pixel_ready_i;
+  logic send, last_group;
+  assign last_group    = left_q <= span_length_t'(Lanes);
+  assign send          = pixel_valid_o && pixel_ready_i;
   assign pixel_valid_o = left_q != '0;
-  assign pixel_last_o  = left_q == span_length_t'(1);
-  assign run_ready_o   = !pixel_valid_o || (pixel_last_o && pixel_ready_i);
+  assign run_ready_o   = !pixel_valid_o || (last_group && pixel_ready_i);
   assign load_o        = run_valid_i && run_ready_o;
-  assign step_o        = send_pixel && !pixel_last_o;
+  assign step_o        = send && !last_group;
 
-  assign pixel_x_o = x_q;
-  assign pixel_y_o = y_q;
-  assign pixel_z_o = to_depth(z_q);
+  for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
+    assign position_o[lane] = '{x: x_q + coord_t'(lane), y: y_q, z: to_depth(z_q[lane]),
+                                last: left_q == span_length_t'(lane + 1)};
+    assign mask_o[lane] = left_q > span_length_t'(lane);
+
+    always_ff @(posedge clk_i) begin
+      if (load_o)      z_q[lane] <= run_i.z + run_i.dz_dx * depth_acc_t'(lane);
+      else if (step_o) z_q[lane] <= z_q[lane] + dz_dx_q * LaneCount;
+    end
+  end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni)         left_q <= '0;
-    else if (load_o)     left_q <= run_i.length;
-    else if (send_pixel) left_q <= left_q - 1'b1;
+    if (!rst_ni)     left_q <= '0;
+    else if (load_o) left_q <= run_i.length;
+    else if (send)   left_q <= last_group ? '0 : left_q - span_length_t'(Lanes);
   end
 
   // Datapath registers need no reset: pixel_valid_o qualifies them.
@@ -61,11 +70,9 @@ module pixel_walker
     if (load_o) begin
       x_q     <= run_i.x;
       y_q     <= run_i.y;
-      z_q     <= run_i.z;
       dz_dx_q <= run_i.dz_dx;
     end else if (step_o) begin
-      x_q <= x_q + 1'b1;
-      z_q <= z_q + dz_dx_q;
+      x_q <= x_q + coord_t'(Lanes);
     end
   end
 

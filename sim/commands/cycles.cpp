@@ -102,7 +102,7 @@ int Cycles(const Options& options) {
     const Frame& frame = frames[at / options.methods.size()];
     CyclesRun& run = runs[at];
     run.work = FrontEnd::Run(frame.list, options.methods[at % options.methods.size()]);
-    run.checked = RunChecked(run.work, source, sink, options.trace, true);
+    run.checked = RunChecked(run.work, options.lanes, source, sink, options.trace, true);
     Describe(frame, run.work, "rtl", &run.checked.stats);
     progress.Step();
   });
@@ -115,7 +115,7 @@ int Cycles(const Options& options) {
     if (good && !run.checked.verdicts.Good()) {
       fmt::print(
           stderr, "shadesim: first difference in {}\n{}", run.checked.stats.scene,
-          tb::ReportMismatch(run.work, run.checked.verdicts, source, sink,
+          tb::ReportMismatch(run.work, options.lanes, run.checked.verdicts, source, sink,
                              fmt::format("shadesim-mismatch-{}.fst", Name(run.work.method))));
       good = false;
     }

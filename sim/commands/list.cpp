@@ -14,14 +14,18 @@ namespace {
 constexpr const char* kMethodText[] = {
     "one colour per triangle: light of the mean of its normals",
     "linear interpolation of the vertices' intensities",
-    "second-order surface through six nodes, paper 003 (5): I(x+2) = 2 I(x+1) - I(x) + 2A"};
+    "second-order surface through six nodes, paper 003 (5): I(x+2) = 2 I(x+1) - I(x) + 2A",
+    "linear normal, normalised and lit at every pixel",
+    "linear normal, normalised by three terms of Taylor's series",
+    "linear N.L and N.H over the root of a quadratic |N|^2 (Duff): phong without vectors",
+    "spherical normal, paper 000 (7) as a scaled difference recurrence, lit at every pixel",
+    "spherical normal, paper 000 (7); (9) to (11), corrected, with four lanes",
+    "spherical N.L and N.H, paper 000 (14), as slerp: no vectors per pixel"};
 
 void PrintTables() {
   fmt::print("Methods\n");
   for (const Method method : kAllMethods) {
-    fmt::print("  {:8} {} ({} products per span and channel, none per pixel)\n", Name(method),
-               kMethodText[static_cast<size_t>(method)],
-               method == Method::kFlat ? 0 : SpanSetup::Steps(method));
+    fmt::print("  {:15} {}\n", Name(method), kMethodText[static_cast<size_t>(method)]);
   }
   fmt::print(
       "\nUnits: latency and initiation interval in cycles (0: not in hardware yet), "

@@ -18,9 +18,9 @@ constexpr const char* kEngineName[] = {"model", "rtl", "ideal"};
 RunStats Simulate(const FrameWork& work, const Options& options, FrameBuffer* picture) {
   PictureConsumer consumer(work, picture);
   if (options.engine == Engine::kRtl) {
-    return RunRtl(work, options.Sink(), options.trace, &consumer);
+    return RunRtl(work, options.lanes, options.Sink(), options.trace, &consumer);
   }
-  return RunModel(work, options.Sink(), &consumer);
+  return RunModel(work, options.lanes, options.Sink(), &consumer);
 }
 
 RunStats RenderOne(const Frame& frame, Method method, const Options& options,

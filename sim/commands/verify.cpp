@@ -91,7 +91,7 @@ class Verifier {
                                    ? FlowPattern::Random(options_.seed + 1)
                                    : FlowPattern::Always();
     const FlowPattern sink = options_.Sink();
-    Checked checked = RunChecked(work, source, sink, options_.trace, false);
+    Checked checked = RunChecked(work, options_.lanes, source, sink, options_.trace, false);
     Describe(frame, work, "rtl", &checked.stats);
 
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -113,8 +113,8 @@ class Verifier {
     const std::string waveform = fmt::format("shadesim-mismatch-{}.fst", Name(task.method));
     return fmt::format("shadesim: first difference in {}{}\n", failed_->scene,
                        random() ? fmt::format(", frame {}", task.frame) : "") +
-           tb::ReportMismatch(failed_->work, failed_->verdicts, failed_->source, options_.Sink(),
-                              waveform);
+           tb::ReportMismatch(failed_->work, options_.lanes, failed_->verdicts, failed_->source,
+                              options_.Sink(), waveform);
   }
 
   const Options& options_;

@@ -3,6 +3,7 @@
 
 #include "model/shading_types.h"
 #include "tb/bit_packer.h"
+#include "tb/dut/light_pins.h"
 
 namespace shading::tb {
 
@@ -11,6 +12,8 @@ namespace shading::tb {
 
 inline constexpr int kCoordWidth = 12;
 inline constexpr int kLengthWidth = 13;
+inline constexpr int kMaterialWidth = 8;
+inline constexpr int kMethodWidth = 4;
 
 template <typename Port>
 void DriveTriangle(const TriangleState& triangle, Port& port) {
@@ -18,6 +21,7 @@ void DriveTriangle(const TriangleState& triangle, Port& port) {
   for (const Surface& s : triangle.surface) {
     for (const IntensityAcc value : {s.f, s.e, s.d, s.c, s.b, s.a}) bits.Put(value);
   }
+  bits.Put(triangle.material, kMaterialWidth);
   bits.Put(triangle.dz_dx);
   bits.Put(triangle.origin_y, kCoordWidth);
   bits.Put(triangle.origin_x, kCoordWidth);
@@ -26,7 +30,8 @@ void DriveTriangle(const TriangleState& triangle, Port& port) {
 
 template <typename Port>
 void DriveSpan(const SpanCommand& span, Port& port) {
-  BitPacker<3> bits;
+  BitPacker<9> bits;
+  for (const SpanNormal& normal : span.normal) PutAll(normal, bits);
   bits.Put(span.last, 1);
   bits.Put(span.z);
   bits.Put(span.length, kLengthWidth);
@@ -74,7 +79,48 @@ SpanSeed ReadSeed(const Port& port) {
   return seed;
 }
 
-// pixel_t has 73 bits: last 0, b 8:1, g 16:9, r 24:17, z 48:25, y 60:49, x 72:61.
+template <typename Port>
+void DriveFrame(Method method, const LightState& light, Port& port) {
+  BitPacker<6> bits;
+  PutLight(light, bits);
+  bits.Put(static_cast<int64_t>(method), kMethodWidth);
+  bits.Store(port);
+}
+
+// quantity_seed_t [2:0][kLanes-1:0] and kappa_t.
+template <int kLanes, typename QuantityPort, typename KappaPort>
+NormalSeed ReadNormalSeed(const QuantityPort& quantity, const KappaPort& kappa) {
+  NormalSeed seed;
+  BitReader<QuantityPort> bits(quantity);
+  for (auto& lanes : seed.quantity) {
+    for (size_t lane = 0; lane < kLanes; ++lane) {
+      lanes[lane].difference = bits.template TakeSigned<Quantity>();
+      lanes[lane].first = bits.template TakeSigned<Quantity>();
+    }
+  }
+  seed.kappa.exponent = static_cast<int>(kappa & 0xf);
+  seed.kappa.mantissa = U<1, 28>::FromRaw(static_cast<int64_t>(kappa >> 4));
+  return seed;
+}
+
+// pixel_t has 73 bits: last 0, b 8:1, g 16:9, r 24:17, z 48:25, y 60:49, x 72:61. Lane 0 is lowest.
+inline constexpr int kPixelWidth = 73;
+
+template <typename Port>
+Pixel ReadLanePixel(const Port& port, int lane) {
+  const int at = lane * kPixelWidth;
+  const uint32_t color = BitsOf(port, at, 25);
+  Pixel pixel;
+  pixel.last = static_cast<uint8_t>(color & 1);
+  pixel.b = static_cast<uint8_t>(color >> 1);
+  pixel.g = static_cast<uint8_t>(color >> 9);
+  pixel.r = static_cast<uint8_t>(color >> 17);
+  pixel.z = BitsOf(port, at + 25, 24);
+  pixel.y = static_cast<uint16_t>(BitsOf(port, at + 49, 12));
+  pixel.x = static_cast<uint16_t>(BitsOf(port, at + 61, 12));
+  return pixel;
+}
+
 template <typename Port>
 Pixel ReadPixel(const Port& port) {
   const uint64_t low = port[0] | static_cast<uint64_t>(port[1]) << 32;

@@ -91,8 +91,12 @@ class PixelWalkerDut {
     if (top_->pixel_valid_o) result->offers.push_back(cycle);
     if (top_->step_o && !send) ++result->stray_steps;
     if (send) {
-      result->pixels.push_back({top_->pixel_x_o, top_->pixel_y_o, top_->pixel_z_o,
-                                top_->pixel_last_o != 0, top_->step_o != 0, cycle});
+      // position_t: last 0, z 24:1, y 36:25, x 48:37.
+      const uint64_t position = top_->position_o;
+      result->pixels.push_back({static_cast<uint16_t>(position >> 37 & 0xfff),
+                                static_cast<uint16_t>(position >> 25 & 0xfff),
+                                static_cast<uint32_t>(position >> 1 & 0xffffff),
+                                (position & 1) != 0, top_->step_o != 0, cycle});
     }
     return take || send;
   }

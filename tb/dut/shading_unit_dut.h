@@ -17,7 +17,7 @@
 namespace shading::tb {
 
 // Pins of one build of shading_unit. Top is a Verilated class.
-template <typename Top>
+template <typename Top, int kLanes>
 class ShadingUnitDut : public RtlShadingUnit {
  public:
   RtlResult Run(const FrameWork& work, const FlowPattern& source, const FlowPattern& sink,
@@ -28,8 +28,9 @@ class ShadingUnitDut : public RtlShadingUnit {
     Feed feed{&work, &source};
     Batch batch(consumer);
     RtlResult result;
+    if (InterpolatesNormals(work.method)) WriteMaterials(work);
     top_->frame_valid_i = 1;
-    top_->frame_i = static_cast<uint8_t>(work.method);
+    DriveFrame(work.method, work.light, top_->frame_i);
     const int64_t patience = 4 * (source.longest_gap() + sink.longest_gap()) + 64;
     int64_t deadline = patience;
     for (int64_t cycle = 0; !result.finished && result.failure.empty(); ++cycle) {
@@ -125,11 +126,35 @@ class ShadingUnitDut : public RtlShadingUnit {
     const bool take_pixel = top_->pixel_valid_o && top_->pixel_ready_i;
     if (take_triangle_) ++feed->triangle;
     if (take_span_) ++feed->span;
-    if (take_pixel) {
+    if (take_pixel) TakePixels(batch, cycle, result);
+    return take_triangle_ || take_span_ || take_pixel;
+  }
+
+  void TakePixels(Batch* batch, int64_t cycle, RtlResult* result) {
+    if constexpr (kLanes == 1) {
       batch->Add({ReadPixel(top_->pixel_o), cycle});
       ++result->pixels;
+    } else {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        if (!(top_->pixel_mask_o >> lane & 1)) continue;
+        batch->Add({ReadLanePixel(top_->pixel_o, lane), cycle});
+        ++result->pixels;
+      }
     }
-    return take_triangle_ || take_span_ || take_pixel;
+  }
+
+  // Before the frame, one a cycle.
+  void WriteMaterials(const FrameWork& work) {
+    top_->material_valid_i = 1;
+    for (size_t i = 0; i < work.materials.size(); ++i) {
+      top_->material_index_i = static_cast<uint8_t>(i);
+      DriveMaterial(work.materials[i], top_->material_i);
+      for (const bool level : {false, true}) {
+        top_->clk_i = level;
+        top_->eval();
+      }
+    }
+    top_->material_valid_i = 0;
   }
 
   // Lets the logic settle at one clock level: 0 before the edge, 1 after it.
@@ -150,7 +175,10 @@ class ShadingUnitDut : public RtlShadingUnit {
 
   void Probe(int64_t span, RtlResult* result) {
     if (!top_->rootp->shading_unit__DOT__load) return;
-    if (loads_++ == span) result->probe = ReadSeed(top_->rootp->shading_unit__DOT__seed);
+    if (loads_++ != span) return;
+    result->probe = ReadSeed(top_->rootp->shading_unit__DOT__seed);
+    result->probe->normal = ReadNormalSeed<kLanes>(top_->rootp->shading_unit__DOT__quantity,
+                                                   top_->rootp->shading_unit__DOT__kappa);
   }
 
   std::string Stuck(const Feed& feed, int64_t cycle) const {
@@ -163,6 +191,8 @@ class ShadingUnitDut : public RtlShadingUnit {
   Counters ReadCounters() const {
     BitReader<decltype(top_->counters_o)> bits(top_->counters_o);
     Counters counters;
+    counters.no_highlight = static_cast<int64_t>(bits.Take(32));
+    counters.unlit = static_cast<int64_t>(bits.Take(32));
     counters.setup = static_cast<int64_t>(bits.Take(32));
     counters.stall = static_cast<int64_t>(bits.Take(32));
     counters.pixels = static_cast<int64_t>(bits.Take(32));

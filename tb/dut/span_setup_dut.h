@@ -148,7 +148,7 @@ class SpanSetupDut {
     top_->eval();
   }
 
-  static constexpr int kTriangleWords = 23, kSpanWords = 3, kSeedWords = 18;
+  static constexpr int kTriangleWords = 23, kSpanWords = 9, kSeedWords = 18;
 
   std::unique_ptr<VerilatedContext> context_;  // outlives the top that lives in it
   std::unique_ptr<Vspan_setup> top_;

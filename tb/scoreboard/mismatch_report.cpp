@@ -38,7 +38,21 @@ std::string PixelFields(const Mismatch& m) {
          Field("cycle", m.actual.cycle, m.expected.cycle);
 }
 
-std::string SeedText(const SpanSeed& seed) {
+std::string NormalSeedText(const NormalSeed& seed, int lanes) {
+  std::string text =
+      fmt::format("kappa {} 4^-{}\n", seed.kappa.mantissa.raw(), seed.kappa.exponent);
+  for (size_t q = 0; q < seed.quantity.size(); ++q) {
+    for (size_t lane = 0; lane < static_cast<size_t>(lanes); ++lane) {
+      const QuantitySeed& s = seed.quantity[q][lane];
+      text += fmt::format("      quantity {} lane {} first {} difference {}\n", q, lane,
+                          s.first.raw(), s.difference.raw());
+    }
+  }
+  return text;
+}
+
+std::string SeedText(const SpanSeed& seed, Method method, int lanes) {
+  if (InterpolatesNormals(method)) return NormalSeedText(seed.normal, lanes);
   std::string text = fmt::format("x {} y {} length {} z {} dz/dx {}\n", seed.x, seed.y, seed.length,
                                  seed.z.raw(), seed.dz_dx.raw());
   for (size_t ch = 0; ch < kChannels; ++ch) {
@@ -75,12 +89,14 @@ std::string FirstDifference(const FrameWork& work, const Verdicts& verdicts) {
   return fmt::format("  {} triangle {}, span {}, pixel {} of {} at ({}, {}):\n", Name(work.method),
                      m.triangle, m.span, m.index, m.command.length, m.expected.pixel.x,
                      m.expected.pixel.y) +
-         PixelFields(m) + "    coefficients S9.26, raw\n" + Coefficients(m);
+         PixelFields(m) +
+         (InterpolatesNormals(work.method) ? ""
+                                           : "    coefficients S9.26, raw\n" + Coefficients(m));
 }
 
 }  // namespace
 
-std::string ReportMismatch(const FrameWork& work, const Verdicts& verdicts,
+std::string ReportMismatch(const FrameWork& work, int lanes, const Verdicts& verdicts,
                            const FlowPattern& source, const FlowPattern& sink,
                            const std::string& waveform) {
   std::string text = FirstDifference(work, verdicts);
@@ -97,13 +113,15 @@ std::string ReportMismatch(const FrameWork& work, const Verdicts& verdicts,
   UntilCycle until(observation.last);
   RtlResult again;
   try {
-    again = RtlShadingUnit::Create(work.method)->Run(work, source, sink, &until, observation);
+    again =
+        RtlShadingUnit::Create(work.method, lanes)->Run(work, source, sink, &until, observation);
   } catch (const std::exception& error) {
     return text + fmt::format("  no waveform: {}\n", error.what());
   }
   if (again.probe) {
-    text += "    seed in the RTL: " + SeedText(*again.probe);
-    text += "    seed in the model: " + SeedText(verdicts.mismatches.front().seed);
+    text += "    seed in the RTL: " + SeedText(*again.probe, work.method, lanes);
+    text +=
+        "    seed in the model: " + SeedText(verdicts.mismatches.front().seed, work.method, lanes);
   }
   return text + fmt::format("  waveform: {} (gtkwave opens the .gtkw file beside it)\n", waveform);
 }

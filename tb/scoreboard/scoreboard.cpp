@@ -5,8 +5,9 @@
 
 namespace shading::tb {
 
-Scoreboard::Scoreboard(const FrameWork& work, const FlowPattern& source, const FlowPattern& sink)
-    : work_(work), model_(work.method, source, sink), pixels_(kMaxScreen) {
+Scoreboard::Scoreboard(const FrameWork& work, int lanes, const FlowPattern& source,
+                       const FlowPattern& sink)
+    : work_(work), model_(work, lanes, source, sink), pixels_(kMaxScreen) {
   verdicts_.pixels_expected = work.pixels;
   verdicts_.spans_expected = static_cast<int64_t>(work.spans.size());
 }

@@ -19,8 +19,6 @@ struct Mismatch {
   SpanCommand command;
   Surface surface[kChannels];
   SpanSeed seed;  // the model's operands
-
-  bool PixelDiffers() const { return unexpected || expected.pixel != actual.pixel; }
 };
 
 // What a comparison saw. Good() demands that everything expected was compared.
@@ -53,7 +51,7 @@ class Scoreboard : public PixelConsumer {
  public:
   static constexpr size_t kKept = 20;
 
-  Scoreboard(const FrameWork& work, const FlowPattern& source, const FlowPattern& sink);
+  Scoreboard(const FrameWork& work, int lanes, const FlowPattern& source, const FlowPattern& sink);
 
   bool Consume(const TimedPixel* pixels, size_t count) override;
 

@@ -56,7 +56,7 @@ void RtlChecked(benchmark::State& state, Method method) {
   const FlowPattern always = FlowPattern::Always();
   const auto rtl = tb::RtlShadingUnit::Create(method);
   for (auto _ : state) {
-    tb::Scoreboard scoreboard(work, always, always);
+    tb::Scoreboard scoreboard(work, 1, always, always);
     const tb::RtlResult result = rtl->Run(work, always, always, &scoreboard, {});
     if (!scoreboard.Finish(result).Good()) state.SkipWithError("RTL and model differ");
   }
@@ -67,7 +67,7 @@ void ModelAlone(benchmark::State& state, Method method) {
   const FrameWork& work = Work(method);
   std::vector<Pixel> pixels(kMaxScreen);
   for (auto _ : state) {
-    ShadingUnit model(method, FlowPattern::Always(), FlowPattern::Always());
+    ShadingUnit model(work, 1, FlowPattern::Always(), FlowPattern::Always());
     size_t triangle = 0;
     bool open = false;
     for (const SpanCommand& span : work.spans) {
@@ -96,7 +96,7 @@ class RatioReporter : public benchmark::ConsoleReporter {
       const double model = Rate("model_alone", method);
       if (rtl == 0 || checked == 0 || model == 0) continue;
       fmt::print(
-          "{:8} checking costs {:+.0f} % of RTL alone; model alone is {:.0f} times the RTL\n",
+          "{:15} checking costs {:+.0f} % of RTL alone; model alone is {:.0f} times the RTL\n",
           Name(method), 100 * (rtl / checked - 1), model / rtl);
     }
   }

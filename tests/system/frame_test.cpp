@@ -86,7 +86,7 @@ class SoftwareFrameBuffer {
 Rendered OnModel(const Case& test) {
   const FrameWork work = FrontEnd::Run(test.list, test.method);
   SoftwareFrameBuffer frame_buffer(TargetFor(test.list.frame, test.depth_test));
-  ShadingUnit unit(test.method, FlowPattern::Always(), test.sink);
+  ShadingUnit unit(work, 1, FlowPattern::Always(), test.sink);
   std::vector<Pixel> pixels(kMaxScreen);
   uint64_t written = 0, cycles = 1;
   size_t triangle = 0;

@@ -15,7 +15,7 @@ const sc_time kPeriod(7, sc_core::SC_NS);
 // When each span's last pixel has left, and the end of the frame, in clock periods after END.
 std::vector<int64_t> ExpectedCycles(const TriangleList& list, Method method) {
   const FrameWork work = FrontEnd::Run(list, method);
-  ShadingUnit unit(method, FlowPattern::Always(), FlowPattern::Always());
+  ShadingUnit unit(work, 1, FlowPattern::Always(), FlowPattern::Always());
   std::vector<Pixel> pixels(kMaxScreen);
   std::vector<int64_t> cycles;
   size_t triangle = 0;

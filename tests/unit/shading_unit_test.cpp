@@ -35,7 +35,7 @@ std::vector<Flow> Flows() {
 }
 
 tb::Verdicts Compare(tb::RtlShadingUnit* rtl, const FrameWork& work, const Flow& flow) {
-  tb::Scoreboard scoreboard(work, flow.source, flow.sink);
+  tb::Scoreboard scoreboard(work, 1, flow.source, flow.sink);
   const tb::RtlResult result = rtl->Run(work, flow.source, flow.sink, &scoreboard, {});
   return scoreboard.Finish(result);
 }
@@ -75,7 +75,7 @@ TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansAsLongAsTheirSetup) {
     work.pixels += length;
   }
   const Flow flow = Flows().front();
-  tb::Scoreboard scoreboard(work, flow.source, flow.sink);
+  tb::Scoreboard scoreboard(work, 1, flow.source, flow.sink);
   const auto rtl = tb::RtlShadingUnit::Create(GetParam());
   const tb::RtlResult result = rtl->Run(work, flow.source, flow.sink, &scoreboard, {});
   ExpectGood(scoreboard.Finish(result), "short spans");
@@ -136,7 +136,7 @@ TEST(ShadingUnit, FrameWithoutTriangles) {
 
 TEST(Scoreboard, FailsWhenPixelsAreMissing) {
   const FrameWork work = OneSpan(Method::kQuad, 100);
-  tb::Scoreboard scoreboard(work, FlowPattern::Always(), FlowPattern::Always());
+  tb::Scoreboard scoreboard(work, 1, FlowPattern::Always(), FlowPattern::Always());
   EXPECT_FALSE(scoreboard.Finish({}).Good());
 }
 
@@ -153,7 +153,7 @@ TEST(Scoreboard, FailsOnEachFieldAndOnTheCycle) {
   const tb::RtlResult result =
       tb::RtlShadingUnit::Create(Method::kFlat)->Run(work, always, always, &good, {});
   const auto verdict = [&](const std::vector<TimedPixel>& pixels) {
-    tb::Scoreboard scoreboard(work, always, always);
+    tb::Scoreboard scoreboard(work, 1, always, always);
     scoreboard.Consume(pixels.data(), pixels.size());
     return scoreboard.Finish(result);
   };
@@ -191,7 +191,7 @@ TEST(MismatchReport, NamesTheFirstDifferenceAndWritesItsWaveform) {
     tb::Scoreboard* scoreboard;
     bool done = false;
   };
-  tb::Scoreboard scoreboard(work, always, always);
+  tb::Scoreboard scoreboard(work, 1, always, always);
   Tamper tamper(&scoreboard);
   const auto result =
       tb::RtlShadingUnit::Create(Method::kQuad)->Run(work, always, always, &tamper, {});
@@ -201,7 +201,7 @@ TEST(MismatchReport, NamesTheFirstDifferenceAndWritesItsWaveform) {
 
   const std::string wave = testing::TempDir() + "mismatch_report.fst";
   std::remove(wave.c_str());
-  const std::string text = tb::ReportMismatch(work, verdicts, always, always, wave);
+  const std::string text = tb::ReportMismatch(work, 1, verdicts, always, always, wave);
   for (const char* word : {"quad triangle", "span", "pixel", "green: RTL", "coefficients",
                            "seed in the RTL", "seed in the model", "waveform"}) {
     EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
@@ -214,7 +214,7 @@ TEST(MismatchReport, NamesTheFirstDifferenceAndWritesItsWaveform) {
   EXPECT_EQ(text.substr(seed_at, 60), text.substr(model_at, 60));
 
   const std::string elsewhere =
-      tb::ReportMismatch(work, verdicts, always, always, "/no/such/folder/wave.fst");
+      tb::ReportMismatch(work, 1, verdicts, always, always, "/no/such/folder/wave.fst");
   EXPECT_NE(elsewhere.find("green: RTL"), std::string::npos);
   EXPECT_NE(elsewhere.find("no waveform"), std::string::npos);
 }
@@ -222,7 +222,7 @@ TEST(MismatchReport, NamesTheFirstDifferenceAndWritesItsWaveform) {
 TEST(Scoreboard, FailsWhenTheUnitIsEmptyInAnotherCycle) {
   const FrameWork work = OneSpan(Method::kFlat, 3);
   const auto always = FlowPattern::Always();
-  tb::Scoreboard scoreboard(work, always, always);
+  tb::Scoreboard scoreboard(work, 1, always, always);
   tb::RtlResult result =
       tb::RtlShadingUnit::Create(Method::kFlat)->Run(work, always, always, &scoreboard, {});
   ++result.cycles;

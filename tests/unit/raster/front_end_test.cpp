@@ -59,7 +59,7 @@ template <typename Ideal>
 PictureError CompareFrame(const TriangleList& list, Method method) {
   PictureError error;
   const FrameWork work = FrontEnd::Run(list, method);
-  ShadingUnit unit(method, FlowPattern::Always(), FlowPattern::Always());
+  ShadingUnit unit(work, 1, FlowPattern::Always(), FlowPattern::Always());
   std::vector<Pixel> pixels(kMaxScreen);
   size_t span = 0;
   for (size_t t = 0; t < work.triangles.size(); ++t) {
@@ -167,7 +167,7 @@ TEST(FrontEnd, UncoveredTrianglesAreNotLit) {
   list.frame = Screen(64, 64, Cull::kBack);
   list.triangles = Undrawn();
   ASSERT_TRUE(list.frame.materials.empty()) << "lighting would have to look one up";
-  for (const Method method : kAllMethods) {
+  for (const Method method : kSurfaceMethods) {
     const FrameWork work = FrontEnd::Run(list, method);
     EXPECT_EQ(work.skipped.total(), 5);
     EXPECT_TRUE(work.triangles.empty() && work.spans.empty());

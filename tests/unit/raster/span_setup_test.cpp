@@ -79,7 +79,7 @@ TEST_P(SpanSetupFlow, RtlMatchesModel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllFlows, SpanSetupFlow,
-                         testing::Combine(testing::ValuesIn(kAllMethods), testing::ValuesIn(kFlows),
+                         testing::Combine(testing::ValuesIn(kSurfaceMethods), testing::ValuesIn(kFlows),
                                           testing::ValuesIn(kFlows)),
                          [](const auto& setting) {
                            return std::string(Name(std::get<0>(setting.param))) + "Span" +
@@ -111,7 +111,7 @@ TEST(SpanSetup, ModelWithinErrorBound) {
   std::mt19937 random(1);
   int in_range = 0;
   for (int i = 0; i < 300000; ++i) {
-    const Method method = kAllMethods[random() % 3];
+    const Method method = kSurfaceMethods[random() % 3];
     const Dut::Work work = RandomWork(method, 1, random);
     const int x = work.spans.back().x - work.triangles[0].origin_x;
     const int y = work.spans.back().y - work.triangles[0].origin_y;
@@ -162,7 +162,7 @@ TEST(SpanSetup, WrapOfIntermediateTermsIsHarmless) {
 }
 
 TEST(SpanSetup, SpanWaitsForItsTriangle) {
-  for (const Method method : kAllMethods) {
+  for (const Method method : kSurfaceMethods) {
     std::mt19937 random(1);
     const Dut::Work work = RandomWork(method, 8, random);
     const Dut::Flows flows = {FlowPattern::Recorded("00000000000000000001"), FlowPattern::Always(),
@@ -176,7 +176,7 @@ TEST(SpanSetup, SpanWaitsForItsTriangle) {
 }
 
 TEST(SpanSetup, TriangleLeavesWithItsLastSpan) {
-  for (const Method method : kAllMethods) {
+  for (const Method method : kSurfaceMethods) {
     std::mt19937 random(1);
     Dut::Work work = RandomWork(method, 8, random);
     work.spans.resize(8);
@@ -191,7 +191,7 @@ TEST(SpanSetup, TriangleLeavesWithItsLastSpan) {
 
 // One span waits as a seed, one for its last sum, one in its first step: the fourth stays outside.
 TEST(SpanSetup, StalledWalkerBlocksSeedSumAndSteps) {
-  for (const Method method : kAllMethods) {
+  for (const Method method : kSurfaceMethods) {
     std::mt19937 random(1);
     const Dut::Work work = RandomWork(method, 8, random);
     Dut::Flows flows = AlwaysFlows();
@@ -210,7 +210,7 @@ TEST(SpanSetup, NextFrameSwitchesMethodWithoutReset) {
   Dut rtl;
   for (int frame = 0; frame < 60; ++frame) {
     SCOPED_TRACE("frame " + std::to_string(frame));
-    const Method method = kAllMethods[random() % 3];
+    const Method method = kSurfaceMethods[random() % 3];
     ExpectRun(&rtl, RandomWork(method, 1 + static_cast<int>(random() % 3), random), AlwaysFlows());
   }
 }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Start of one lane of one channel: lane j of Lanes begins at pixel j and steps Lanes pixels.
+//
+//   I(j) = I(0) + j D + j (j - 1) / 2 2A,  D = I(1) - I(0)          paper 003 (3)
+//   D' = Lanes D,  2A' = Lanes^2 2A
+//
+// Timing    Combinational; additions of shifted terms only.
+// Formats   S9.26, modulo 2^36: exact, so lanes show the same intensities as one.
+// Error     None.
+// Model     model/intensity/lane_seed.h      Doc  docs/units/intensity/lane_seed.md
+module lane_seed
+  import shading_pkg::*;
+#(
+  parameter int unsigned Lane = 0,
+  parameter int unsigned Lanes = 1
+) (
+  input  channel_seed_t seed_i,    // fields that a method does not use are not used here either
+  output channel_seed_t seed_o
+);
+  localparam int unsigned Latency = 0;
+
+  localparam intensity_acc_t First = intensity_acc_t'(Lane);
+  localparam intensity_acc_t FirstPairs = intensity_acc_t'(32'(Lane * (Lane - 1) / 2));
+  localparam intensity_acc_t Second = intensity_acc_t'(32'(Lane + Lanes));
+  localparam intensity_acc_t SecondPairs =
+    intensity_acc_t'(32'((Lane + Lanes) * (Lane + Lanes - 1) / 2));
+  localparam intensity_acc_t Stride = intensity_acc_t'(Lanes);
+  localparam intensity_acc_t StrideSquare = intensity_acc_t'(32'(Lanes * Lanes));
+
+  if (Lanes == 1) begin : gen_one
+    assign seed_o = seed_i;
+  end else begin : gen_many
+    assign seed_o.first      = seed_i.first + First * seed_i.difference +
+                               FirstPairs * seed_i.curvature;
+    assign seed_o.second     = seed_i.first + Second * seed_i.difference +
+                               SecondPairs * seed_i.curvature;
+    assign seed_o.difference = Stride * seed_i.difference;
+    assign seed_o.curvature  = StrideSquare * seed_i.curvature;
+  end
+endmodule

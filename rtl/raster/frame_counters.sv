@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Performance counters of one frame: pixels that left, cycles in which they waited, cycles in which
+// none was on offer although a span was inside, and pixels that needed less light.
+//
+// Timing    Counts at the end of each cycle.
+// Formats   32-bit counters; they wrap.
+// Error     None.
+// Model     Counters in model/shading_unit.h      Doc  docs/units/shading_unit.md
+module frame_counters
+  import shading_pkg::*;
+#(
+  parameter int unsigned Lanes = 1
+) (
+  input  logic             clk_i,
+  input  logic             clear_i,
+  input  logic             offer_i,
+  input  logic             take_i,
+  input  logic             inside_i,
+  input  logic [Lanes-1:0] mask_i,          // pixels of the group on offer
+  input  logic [Lanes-1:0] unlit_i,
+  input  logic [Lanes-1:0] no_highlight_i,
+  output counters_t        counters_o
+);
+  counters_t counters_q;
+  assign counters_o = counters_q;
+
+  function automatic logic [31:0] ones(logic [Lanes-1:0] bits);
+    ones = '0;
+    for (int i = 0; i < int'(Lanes); i++) ones += 32'(bits[i]);
+  endfunction
+
+  always_ff @(posedge clk_i) begin
+    if (clear_i) begin
+      counters_q <= '0;
+    end else begin
+      if (take_i) begin
+        counters_q.pixels       <= counters_q.pixels + ones(mask_i);
+        counters_q.unlit        <= counters_q.unlit + ones(unlit_i);
+        counters_q.no_highlight <= counters_q.no_highlight + ones(no_highlight_i);
+      end
+      if (offer_i && !take_i)   counters_q.stall <= counters_q.stall + 1'b1;
+      if (!offer_i && inside_i) counters_q.setup <= counters_q.setup + 1'b1;
+    end
+  end
+endmodule
