@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/accuracy/accuracy_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace shading::accuracy {
+namespace {
+
+constexpr double kLimit = 0.5;       // LSB
+constexpr int kPictureLength = 256;  // pixels, for what hardly depends on the length
+constexpr std::array<int, 5> kFractionBits = {16, 20, 24, 30, 38};
+
+struct Row {
+  double least, most;  // degrees
+};
+Row RowOf(double degrees) { return {kLeastPart * degrees, degrees}; }
+constexpr Row kFreeRow = {kAngles.front(), kAngles.back()};
+
+Ideal IdealOf(Method method) { return IsSpherical(method) ? Ideal::kSlerp : Ideal::kPhong; }
+
+Cell CellOf(const Configuration& configuration, int length, const Row& row, int shininess) {
+  return {configuration, IdealOf(configuration.method), length, row.least, row.most, shininess};
+}
+
+std::string Number(double lsb) {
+  return lsb < 0.99995 ? fmt::format("{:.4f}", lsb)
+         : lsb < 9.95  ? fmt::format("{:.1f}", lsb)
+                       : fmt::format("{:.0f}", lsb);
+}
+
+std::string Header(std::string line, size_t columns) {
+  line += " |\n|";
+  for (size_t i = 0; i < columns; ++i) line += i == 0 ? "---|" : "--:|";
+  return line;
+}
+
+// Lanes change nothing in the exact recurrences of the phong methods.
+std::vector<int> LanesOf(Method method) {
+  return IsSpherical(method) ? std::vector<int>{1, kMaxLanes} : std::vector<int>{1};
+}
+
+std::vector<Configuration> AllConfigurations() {
+  std::vector<Configuration> all;
+  for (const Method method : kAllMethods) {
+    if (!InterpolatesNormals(method)) continue;
+    for (const int bits : kFractionBits) {
+      if (method != Method::kSlerpPaper && bits != Quantity::kFraction) continue;
+      for (const int lanes : LanesOf(method)) all.push_back({method, lanes, bits});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+double AccuracyTables::At(const Cell& cell) {
+  const std::string key =
+      fmt::format("{} {} {} {} {} {}", NameOf(cell.configuration), static_cast<int>(cell.ideal),
+                  cell.length, cell.least_degrees, cell.degrees, cell.shininess);
+  const auto known = found_.find(key);
+  if (known != found_.end()) return known->second;
+  const bool free_angle = cell.least_degrees < kLeastPart * cell.degrees;
+  Effort effort = {cell.length > 512 ? 10 : 20, 5, 30};
+  if (free_angle) effort.restarts *= 3;
+  effort.restarts = std::max(1, effort.restarts / divisor_);
+  evaluations_ += effort.evaluations();
+  return found_[key] = WorstSearch(cell).Run(effort).lsb;
+}
+
+double AccuracyTables::AtAnyAngle(const Configuration& configuration, int length, int shininess) {
+  double worst = At(CellOf(configuration, length, kFreeRow, shininess));
+  if (std::find(kLengths.begin(), kLengths.end(), length) == kLengths.end()) return worst;
+  for (const double degrees : kAngles) {
+    worst = std::max(worst, At(CellOf(configuration, length, RowOf(degrees), shininess)));
+  }
+  return worst;
+}
+
+void AccuracyTables::PrintOverview() {
+  fmt::print("\nWorst of all lengths and angles, against the method's own ideal, LSB\n\n");
+  fmt::print("{}\n", Header("| method | n = 1 | 8 | 32 | 128 | 256", 6));
+  for (const Configuration& configuration : AllConfigurations()) {
+    fmt::print("| {} |", NameOf(configuration));
+    for (const int n : kShininess) {
+      double worst = 0;
+      for (const int length : kLengths) {
+        worst = std::max(worst, AtAnyAngle(configuration, length, n));
+      }
+      fmt::print(" {} |", Number(worst));
+    }
+    fmt::print("\n");
+  }
+}
+
+void AccuracyTables::PrintFull(Method method) {
+  fmt::print("\n`{}` against the slerp, LSB\n\n", Name(method));
+  fmt::print("{}\n", Header("| length | degrees | 1 lane: n = 1 | 8 | 32 | 128 | 256 "
+                            "| 4 lanes: n = 1 | 8 | 32 | 128 | 256",
+                            12));
+  const auto print = [&](int length, const std::string& label, const auto& at) {
+    fmt::print("| {} | {} |", length, label);
+    for (const int lanes : {1, kMaxLanes}) {
+      for (const int n : kShininess) fmt::print(" {} |", Number(at({method, lanes}, n)));
+    }
+    fmt::print("\n");
+  };
+  using Column = const Configuration&;
+  for (const int length : kLengths) {
+    for (const double degrees : kAngles) {
+      print(length, fmt::format("{}", degrees),
+            [&](Column column, int n) { return At(CellOf(column, length, RowOf(degrees), n)); });
+    }
+    print(length, "any", [&](Column column, int n) { return AtAnyAngle(column, length, n); });
+  }
+}
+
+void AccuracyTables::PrintByAngleAndLength(Method method, int fraction_bits) {
+  fmt::print("\n`{}`{} against {}: n = 1 / worst of n = 8, 32, 128; LSB\n\n", Name(method),
+             method == Method::kSlerpPaper ? fmt::format(" with {} bits", fraction_bits) : "",
+             IsSpherical(method) ? "the slerp" : "classic Phong");
+  std::string header = "| degrees";
+  for (const int lanes : LanesOf(method)) {
+    for (const int length : kLengths) header += fmt::format(" | {} px, {}x", length, lanes);
+  }
+  fmt::print("{}\n", Header(header, 1 + kLengths.size() * LanesOf(method).size()));
+  const auto print = [&](const std::string& label, const auto& at) {
+    fmt::print("| {} |", label);
+    for (const int lanes : LanesOf(method)) {
+      const Configuration column = {method, lanes, fraction_bits};
+      for (const int length : kLengths) {
+        const double specular =
+            std::max({at(column, length, 8), at(column, length, 32), at(column, length, 128)});
+        fmt::print(" {} / {} |", Number(at(column, length, 1)), Number(specular));
+      }
+    }
+    fmt::print("\n");
+  };
+  using Column = const Configuration&;
+  for (const double degrees : kAngles) {
+    print(fmt::format("{}", degrees), [&](Column column, int length, int n) {
+      return At(CellOf(column, length, RowOf(degrees), n));
+    });
+  }
+  print("any", [&](Column column, int length, int n) { return AtAnyAngle(column, length, n); });
+}
+
+void AccuracyTables::PrintOtherIdeal() {
+  fmt::print(
+      "\nAgainst the other ideal, spans of {} pixels, one lane: n = 1 / 8 / 32 / 128; LSB\n\n",
+      kPictureLength);
+  std::string header = "| degrees";
+  for (const Method method : kAllMethods) {
+    if (!InterpolatesNormals(method)) continue;
+    header += fmt::format(" | `{}` to {}", Name(method), IsSpherical(method) ? "Phong" : "slerp");
+  }
+  fmt::print("{}\n", Header(header, 7));
+  for (const double degrees : kAngles) {
+    const Row row = RowOf(degrees);
+    fmt::print("| {} |", degrees);
+    for (const Method method : kAllMethods) {
+      if (!InterpolatesNormals(method)) continue;
+      const Ideal other = IsSpherical(method) ? Ideal::kPhong : Ideal::kSlerp;
+      const auto at = [&](int n) {
+        return Number(At({{method}, other, kPictureLength, row.least, row.most, n}));
+      };
+      fmt::print(" {} / {} / {} / {} |", at(1), at(8), at(32), at(128));
+    }
+    fmt::print("\n");
+  }
+}
+
+double AccuracyTables::LargestAngle(Method method, Ideal ideal, int shininess) {
+  double good = 1, bad = 179;
+  while (bad - good > 0.05) {
+    const double middle = (good + bad) / 2;
+    const Cell cell = {{method}, ideal, kPictureLength, 0.9999 * middle, middle, shininess};
+    (At(cell) > kLimit ? bad : good) = middle;
+  }
+  return good;
+}
+
+void AccuracyTables::PrintLargestAngles() {
+  fmt::print("\nLargest angle with an error of at most {} LSB, spans of {} pixels, degrees\n\n",
+             kLimit, kPictureLength);
+  fmt::print("{}\n", Header("| compared | n = 1 | 8 | 32 | 128 | 256", 6));
+  const auto print = [&](const char* label, Method method, Ideal ideal) {
+    fmt::print("| {} |", label);
+    for (const int n : kShininess) fmt::print(" {:.1f} |", LargestAngle(method, ideal, n));
+    fmt::print("\n");
+  };
+  print("`slerp` to classic Phong", Method::kSlerp, Ideal::kPhong);
+  print("`phong-taylor` to classic Phong", Method::kPhongTaylor, Ideal::kPhong);
+  print("`phong-taylor` to the slerp", Method::kPhongTaylor, Ideal::kSlerp);
+}
+
+// Longest of 8, 16 .. 2048 pixels before the first that fails; 0 for none.
+int AccuracyTables::LongestSpan(const Configuration& configuration, int shininess) {
+  int length = 4;
+  while (length < 2048 && AtAnyAngle(configuration, 2 * length, shininess) <= kLimit) {
+    length *= 2;
+  }
+  return length == 4 ? 0 : length;
+}
+
+void AccuracyTables::PrintLongestSpans() {
+  fmt::print(
+      "\nLongest spans, of 8, 16 .. 2048 pixels, whose error is at most {} LSB at any angle\n\n",
+      kLimit);
+  fmt::print("{}\n", Header("| method | n = 1 | 8 | 32 | 128 | 256", 6));
+  for (const Configuration& configuration : AllConfigurations()) {
+    if (configuration.method != Method::kSlerpPaper) continue;
+    fmt::print("| {} |", NameOf(configuration));
+    for (const int n : kShininess) {
+      const int length = LongestSpan(configuration, n);
+      fmt::print(" {} |", length == 0 ? "none" : std::to_string(length));
+    }
+    fmt::print("\n");
+  }
+}
+
+void AccuracyTables::Print() {
+  PrintOverview();
+  PrintFull(Method::kSlerp);
+  PrintFull(Method::kSlerpIntensity);
+  for (const Method method : {Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff}) {
+    PrintByAngleAndLength(method, Quantity::kFraction);
+  }
+  for (const int bits : kFractionBits) PrintByAngleAndLength(Method::kSlerpPaper, bits);
+  PrintOtherIdeal();
+  PrintLargestAngles();
+  PrintLongestSpans();
+}
+
+}  // namespace shading::accuracy
