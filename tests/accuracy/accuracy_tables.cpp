@@ -171,28 +171,30 @@ void AccuracyTables::PrintOtherIdeal() {
   }
 }
 
-double AccuracyTables::LargestAngle(Method method, Ideal ideal, int shininess) {
+double AccuracyTables::LargestAngle(Method method, Ideal ideal, int length, int shininess) {
   double good = 1, bad = 179;
   while (bad - good > 0.05) {
     const double middle = (good + bad) / 2;
-    const Cell cell = {{method}, ideal, kPictureLength, 0.9999 * middle, middle, shininess};
+    const Cell cell = {{method}, ideal, length, 0.9999 * middle, middle, shininess};
     (At(cell) > kLimit ? bad : good) = middle;
   }
   return good;
 }
 
 void AccuracyTables::PrintLargestAngles() {
-  fmt::print("\nLargest angle with an error of at most {} LSB, spans of {} pixels, degrees\n\n",
-             kLimit, kPictureLength);
-  fmt::print("{}\n", Header("| compared | n = 1 | 8 | 32 | 128 | 256", 6));
-  const auto print = [&](const char* label, Method method, Ideal ideal) {
-    fmt::print("| {} |", label);
-    for (const int n : kShininess) fmt::print(" {:.1f} |", LargestAngle(method, ideal, n));
+  fmt::print("\nLargest angle, of at most 179 degrees, with an error of at most {} LSB\n\n",
+             kLimit);
+  fmt::print("{}\n", Header("| compared | length | n = 1 | 8 | 32 | 128 | 256", 7));
+  const auto print = [&](Method method, Ideal ideal, int length) {
+    fmt::print("| `{}` to {} | {} |", Name(method),
+               ideal == Ideal::kPhong ? "classic Phong" : "the slerp", length);
+    for (const int n : kShininess) fmt::print(" {:.1f} |", LargestAngle(method, ideal, length, n));
     fmt::print("\n");
   };
-  print("`slerp` to classic Phong", Method::kSlerp, Ideal::kPhong);
-  print("`phong-taylor` to classic Phong", Method::kPhongTaylor, Ideal::kPhong);
-  print("`phong-taylor` to the slerp", Method::kPhongTaylor, Ideal::kSlerp);
+  print(Method::kSlerp, Ideal::kPhong, kPictureLength);
+  print(Method::kPhongTaylor, Ideal::kPhong, kPictureLength);
+  print(Method::kPhongTaylor, Ideal::kSlerp, kPictureLength);
+  print(Method::kPhongDuff, Ideal::kPhong, kLengths.back());
 }
 
 // Longest of 8, 16 .. 2048 pixels before the first that fails; 0 for none.

@@ -26,7 +26,7 @@ class AccuracyTables {
   double At(const Cell& cell);
   // Over all rows of the angles.
   double AtAnyAngle(const Configuration& configuration, int length, int shininess);
-  double LargestAngle(Method method, Ideal ideal, int shininess);
+  double LargestAngle(Method method, Ideal ideal, int length, int shininess);
   int LongestSpan(const Configuration& configuration, int shininess);
 
   int divisor_;

@@ -24,6 +24,14 @@ Axes AxesOf(const std::array<double, 4>& quaternion) {
           Direction{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
 }
 
+// Takes the first axis to (1, 1, 1) after a turn about itself.
+std::array<double, 4> DiagonalFrame(double turn) {
+  const double half = std::acos(1 / std::sqrt(3.0)) / 2;
+  const double a = std::cos(half), b = std::sin(half) / std::sqrt(2.0);
+  const double c = std::cos(turn / 2), s = std::sin(turn / 2);
+  return {a * c, a * s, b * (s - c), b * (s + c)};
+}
+
 template <typename Vector>
 Vector Rounded(const Direction& v) {
   Vector result;
@@ -64,13 +72,18 @@ Worst WorstSearch::Evaluate(const SpanCase& span) {
   return {static_cast<double>(255 * most), static_cast<int>(pixel), span};
 }
 
-// Ranges of angles are searched evenly in the logarithm, in degrees, and from their end.
+// Ranges of angles are searched evenly in the logarithm, in degrees, from their end, and where the
+// bend of a step falls just short of half an ulp of S1.38 and is lost.
 double WorstSearch::StartAngle(int restart) {
   const double range = cell_.degrees / cell_.least_degrees;
   const double part = Uniform();
   switch (restart % 5) {
-    case 1:
-    case 3: return std::log(1 + (range - 1) * part) / std::log(range);
+    case 1: return std::log(1 + (range - 1) * part) / std::log(range);
+    case 2: {
+      const double step = std::sqrt(std::ldexp(1 + 0.8 * part, -39)) / cell_.configuration.lanes;
+      const double degrees = (cell_.length - 1) * step * 180 / kPi;
+      return std::clamp(std::log(degrees / cell_.least_degrees) / std::log(range), 0.0, 1.0);
+    }
     case 4: return 1;
     default: return part;
   }
@@ -78,11 +91,13 @@ double WorstSearch::StartAngle(int restart) {
 
 // Restarts take turns: light at the peak, on the steepest slope or anywhere up to three times as
 // far; in the plane of the arc, across it or anywhere; seen from either end, the middle or
-// anywhere; every fourth arc in a plane of the axes.
+// anywhere; arcs anywhere, in a plane of the axes, or from the direction (1, 1, 1), where three
+// equal components round alike.
 WorstSearch::Point WorstSearch::Start(int restart) {
   Point point;
   for (double& q : point.frame) q = Normal();
   if (restart % 4 == 3) point.frame = {1, std::round(Uniform()), std::round(Uniform()), 0};
+  if (restart % 4 == 1) point.frame = DiagonalFrame(2 * kPi * Uniform());
   point.angle = StartAngle(restart);
   const double far = width_ * (cell_.shininess == 1 ? 1 : 3) * Uniform();
   point.tilt = std::array<double, 3>{width_, far, 0.01 * width_}[static_cast<size_t>(restart) % 3];
