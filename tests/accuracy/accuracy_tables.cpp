@@ -43,8 +43,7 @@ std::vector<int> LanesOf(Method method) {
 
 std::vector<Configuration> AllConfigurations() {
   std::vector<Configuration> all;
-  for (const Method method : kAllMethods) {
-    if (!InterpolatesNormals(method)) continue;
+  for (const Method method : kStudiedMethods) {
     for (const int bits : kFractionBits) {
       if (method != Method::kSlerpPaper && bits != Quantity::kFraction) continue;
       for (const int lanes : LanesOf(method)) all.push_back({method, lanes, bits});
@@ -151,16 +150,14 @@ void AccuracyTables::PrintOtherIdeal() {
       "\nAgainst the other ideal, spans of {} pixels, one lane: n = 1 / 8 / 32 / 128; LSB\n\n",
       kPictureLength);
   std::string header = "| degrees";
-  for (const Method method : kAllMethods) {
-    if (!InterpolatesNormals(method)) continue;
+  for (const Method method : kStudiedMethods) {
     header += fmt::format(" | `{}` to {}", Name(method), IsSpherical(method) ? "Phong" : "slerp");
   }
-  fmt::print("{}\n", Header(header, 7));
+  fmt::print("{}\n", Header(header, 1 + kStudiedMethods.size()));
   for (const double degrees : kAngles) {
     const Row row = RowOf(degrees);
     fmt::print("| {} |", degrees);
-    for (const Method method : kAllMethods) {
-      if (!InterpolatesNormals(method)) continue;
+    for (const Method method : kStudiedMethods) {
       const Ideal other = IsSpherical(method) ? Ideal::kPhong : Ideal::kSlerp;
       const auto at = [&](int n) {
         return Number(At({{method}, other, kPictureLength, row.least, row.most, n}));

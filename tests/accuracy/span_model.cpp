@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/accuracy/span_model.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "model/normal/normal_setup.h"
@@ -33,7 +34,8 @@ void RunMethod(const Configuration& configuration, const LightState& light, cons
     case Method::kSlerp: return run(SlerpShader<kLanes>(seed));
     case Method::kSlerpPaper:
       return run(SlerpPaperShader<kLanes>(seed, configuration.fraction_bits));
-    default: return run(SlerpIntensityShader<kLanes>(seed));
+    case Method::kSlerpIntensity: return run(SlerpIntensityShader<kLanes>(seed));
+    default: assert(false && "one of kStudiedMethods");
   }
 }
 

@@ -9,6 +9,10 @@
 
 namespace shading::accuracy {
 
+inline constexpr std::array<Method, 6> kStudiedMethods = {
+    Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff,
+    Method::kSlerp, Method::kSlerpPaper,  Method::kSlerpIntensity};
+
 // A method of normal interpolation as it is built.
 struct Configuration {
   Method method = Method::kSlerp;
