@@ -3,117 +3,34 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <random>
 #include <tuple>
 #include <vector>
 
-#include "model/fixed/wide_integer.h"
 #include "tb/dut/pixel_walker_dut.h"
 #include "tests/unit/flows.h"
+#include "tests/unit/raster/walked_pixels.h"
 
 namespace shading {
 namespace {
 
 constexpr int kRuns = 3000;
-constexpr int64_t kOneDepth = int64_t{1} << DepthAcc::kFraction;  // z = 1
-constexpr int64_t kUlp = kOneDepth >> Depth::kFraction;           // of U0.24
 using Dut = tb::PixelWalkerDut;
-
-SpanSeed RunOf(int x, int y, int length, int64_t z, int64_t dz_dx) {
-  SpanSeed run;
-  run.x = x;
-  run.y = y;
-  run.length = length;
-  run.z = DepthAcc::Wrap(z);
-  run.dz_dx = DepthAcc::Wrap(dz_dx);
-  return run;
-}
-
-// z(i) of a run, without a recurrence and without a register that could wrap.
-Int128 ClosedForm(const SpanSeed& run, int i) {
-  return run.z.raw() + static_cast<Int128>(run.dz_dx.raw()) * i;
-}
-
-// Truncates and clamps a depth that was formed without a register, after its wrap.
-uint32_t DepthOf(Int128 accumulator) {
-  const int64_t z = DepthAcc::Wrap(static_cast<int64_t>(accumulator)).raw();
-  const int64_t whole = FloorDivide(z, kUlp);
-  return static_cast<uint32_t>(std::clamp<int64_t>(whole, 0, Depth::kMaxRaw));
-}
-
-// Short and longest runs, whole-screen offsets, depths of any magnitude: the extremes wrap.
-SpanSeed RandomRun(std::mt19937& random) {
-  const auto acc = [&] {
-    const int64_t bits = static_cast<int64_t>(static_cast<uint64_t>(random()) << 32 | random());
-    return bits >> (24 + random() % 40);
-  };
-  const int kind = static_cast<int>(random() % 32);
-  const int any = 1 + static_cast<int>(random() % 64);
-  const int length = kind == 0 ? kMaxScreen : kind < 12 ? 1 + kind % 3 : any;
-  const int x = static_cast<int>(random() % static_cast<uint32_t>(kMaxScreen - length + 1));
-  return RunOf(x, static_cast<int>(random() % kMaxScreen), length, acc(), acc());
-}
-
-std::vector<SpanSeed> RandomRuns(int count, uint32_t seed) {
-  std::mt19937 random(seed);
-  std::vector<SpanSeed> runs;
-  for (int i = 0; i < count; ++i) runs.push_back(RandomRun(random));
-  return runs;
-}
-
-void ExpectPixels(const std::vector<SpanSeed>& runs, const Dut::Result& result) {
-  ASSERT_EQ(result.failure, "");
-  auto pixel = result.pixels.begin();
-  for (const SpanSeed& run : runs) {
-    PixelWalker model(run);
-    for (int i = 0; i < run.length; ++i, ++pixel, model.Step()) {
-      ASSERT_NE(pixel, result.pixels.end());
-      ASSERT_EQ(pixel->x, model.x()) << "pixel " << i << " of " << run.length;
-      ASSERT_EQ(pixel->y, model.y());
-      ASSERT_EQ(pixel->z, model.z()) << "pixel " << i << " of " << run.length;
-      ASSERT_EQ(pixel->last, i + 1 == run.length);
-      ASSERT_EQ(pixel->step, !pixel->last) << "the intensity units lose the walker";
-    }
-  }
-  EXPECT_EQ(pixel, result.pixels.end()) << "more pixels than ordered";
-  EXPECT_EQ(result.loads, result.taken);
-  EXPECT_EQ(result.stray_steps, 0);
-}
-
-// A run is taken as soon as it is on offer and the last pixel of the run before leaves; its pixels
-// leave one per willing cycle of the sink, from the next cycle on.
-void ExpectCycles(const std::vector<SpanSeed>& runs, const FlowPattern& source,
-                  const FlowPattern& sink, const Dut::Result& result) {
-  int64_t taken = -1, last_left = 0, offers = 0;
-  size_t index = 0;
-  for (size_t run = 0; run < runs.size(); ++run) {
-    taken = std::max(source.Next(taken + 1), last_left);
-    ASSERT_EQ(result.taken[run], taken) << "run " << run;
-    int64_t cycle = taken;
-    for (int i = 0; i < runs[run].length; ++i) {
-      cycle = sink.Next(cycle + 1);
-      ASSERT_EQ(result.pixels[index++].cycle, cycle) << "run " << run << " pixel " << i;
-    }
-    last_left = cycle;
-    offers += last_left - taken;
-  }
-  EXPECT_EQ(static_cast<int64_t>(result.offers.size()), offers) << "valid waits for ready";
-}
+using Dut4 = tb::PixelWalker4Dut;
 
 using Flows = std::tuple<Flow, Flow>;
 class PixelWalkerFlow : public testing::TestWithParam<Flows> {};
 
 TEST_P(PixelWalkerFlow, RtlMatchesModel) {
-  const FlowPattern source = PatternOf(std::get<0>(GetParam()), 1);
-  const FlowPattern sink = PatternOf(std::get<1>(GetParam()), 2);
-  const std::vector<SpanSeed> runs = RandomRuns(kRuns, 3);
-  Dut rtl;
-  const Dut::Result result = rtl.Run(runs, source, sink);
-  ExpectPixels(runs, result);
-  if (!HasFatalFailure()) ExpectCycles(runs, source, sink, result);
+  ExpectWalk<Dut>(RandomRuns(kRuns, 3), PatternOf(std::get<0>(GetParam()), 1),
+                  PatternOf(std::get<1>(GetParam()), 2));
+}
+
+TEST_P(PixelWalkerFlow, FourLanesMatchModel) {
+  ExpectWalk<Dut4>(RandomRuns(kRuns, 4), PatternOf(std::get<0>(GetParam()), 1),
+                   PatternOf(std::get<1>(GetParam()), 2));
 }
 
 constexpr auto kFlows = {Flow::kAlways, Flow::kOneInFour, Flow::kRandom};
@@ -124,21 +41,49 @@ INSTANTIATE_TEST_SUITE_P(AllFlows, PixelWalkerFlow,
                                   NameOf(std::get<1>(flow.param));
                          });
 
-TEST(PixelWalker, ContractMatchesRtl) {
-  EXPECT_EQ(Dut::kLatency, PixelWalker::kContract.latency_cycles);
+template <typename Build>
+void ExpectTiming() {
+  constexpr UnitContract kContract = PixelWalker::kContract;
+  EXPECT_EQ(Build::kLatency, kContract.latency_cycles);
   const FlowPattern always = FlowPattern::Always();
-  Dut rtl;
+  Build rtl;
   const std::vector<SpanSeed> single(16, RunOf(1, 2, 1, 0, 0));
-  const Dut::Result result = rtl.Run(single, always, always);
+  const auto result = rtl.Run(single, always, always);
   ASSERT_EQ(result.failure, "");
   for (size_t run = 0; run < single.size(); ++run) {
-    EXPECT_EQ(result.pixels[run].cycle - result.taken[run], PixelWalker::kContract.latency_cycles);
+    EXPECT_EQ(result.groups[run].cycle - result.taken[run], kContract.latency_cycles);
     if (run == 0) continue;
-    EXPECT_EQ(result.taken[run] - result.taken[run - 1], PixelWalker::kContract.interval_cycles);
+    EXPECT_EQ(result.taken[run] - result.taken[run - 1], kContract.interval_cycles);
   }
-  const Dut::Result whole_line = rtl.Run({RunOf(0, 0, kMaxScreen, 0, 1)}, always, always);
+  const auto whole_line = rtl.Run({RunOf(0, 0, kMaxScreen, 0, 1)}, always, always);
   ASSERT_EQ(whole_line.failure, "");
-  EXPECT_EQ(whole_line.pixels.back().cycle, PixelWalker::kContract.latency_cycles + 4095);
+  EXPECT_EQ(whole_line.groups.back().cycle,
+            kContract.latency_cycles + kMaxScreen / Build::kLaneCount - 1);
+}
+
+TEST(PixelWalker, ContractMatchesRtl) {
+  ExpectTiming<Dut>();
+  ExpectTiming<Dut4>();
+}
+
+// Every length modulo the lanes, up to three groups, one after the other without a bubble.
+TEST(PixelWalker, FourLanesMaskTheTail) {
+  std::vector<SpanSeed> runs;
+  for (int length = 1; length <= 12; ++length) {
+    runs.push_back(RunOf(4095 - length, length, length, kUlp * length, 3 * kUlp + 1));
+  }
+  const FlowPattern always = FlowPattern::Always();
+  Dut4 rtl;
+  const auto result = rtl.Run(runs, always, always);
+  ASSERT_NO_FATAL_FAILURE(ExpectPixels(runs, result));
+  const std::vector<uint32_t> tails = {1, 3, 7, 15};
+  size_t group = 0;
+  for (int length = 1; length <= 12; ++length) {
+    for (int left = length; left > 4; left -= 4) EXPECT_EQ(result.groups[group++].mask, 15);
+    EXPECT_EQ(result.groups[group++].mask, tails[static_cast<size_t>(length - 1) % 4]);
+  }
+  EXPECT_EQ(result.groups.back().cycle - result.groups.front().cycle + 1,
+            static_cast<int64_t>(group));
 }
 
 TEST(PixelWalker, ModelMatchesClosedForm) {
@@ -194,13 +139,14 @@ TEST(PixelWalker, RoundingErrorsAtTheirExtremesStayInBound) {
   EXPECT_GT(drift, 0.999 * PixelWalker::kContract.max_error_ulp);
 }
 
-// Depths of RTL and model along one run, which must agree.
+// Depths of RTL and model along one run, which must agree, with one lane and with four.
 std::vector<uint32_t> Depths(const SpanSeed& run) {
-  Dut rtl;
-  const Dut::Result result = rtl.Run({run}, FlowPattern::Always(), FlowPattern::Always());
+  const FlowPattern always = FlowPattern::Always();
+  ExpectPixels({run}, Dut4().Run({run}, always, always));
+  const Dut::Result result = Dut().Run({run}, always, always);
   ExpectPixels({run}, result);
   std::vector<uint32_t> depths;
-  for (const Dut::WalkedPixel& pixel : result.pixels) depths.push_back(pixel.z);
+  for (const Dut::Group& group : result.groups) depths.push_back(group.lane[0].z);
   return depths;
 }
 
@@ -222,27 +168,38 @@ TEST(PixelWalker, WrapIsNeverShown) {
 
 TEST(PixelWalker, LastColumnOfTheScreen) {
   const SpanSeed whole = RunOf(0, 4095, kMaxScreen, 0, kUlp), one = RunOf(4095, 0, 1, 0, kUlp);
-  Dut rtl;
-  const auto result = rtl.Run({whole, one, one}, FlowPattern::Always(), FlowPattern::OneInFour());
-  ExpectPixels({whole, one, one}, result);
-  ASSERT_FALSE(HasFatalFailure());
-  EXPECT_EQ(result.pixels[4095].x, 4095);
-  EXPECT_TRUE(result.pixels[4095].last);
+  const std::vector<SpanSeed> runs = {whole, one, one};
+  const auto result = Dut().Run(runs, FlowPattern::Always(), FlowPattern::OneInFour());
+  ASSERT_NO_FATAL_FAILURE(ExpectPixels(runs, result));
+  EXPECT_EQ(result.groups[4095].lane[0].x, 4095);
+  EXPECT_TRUE(result.groups[4095].lane[0].last);
+  const auto wide = Dut4().Run(runs, FlowPattern::Always(), FlowPattern::OneInFour());
+  ASSERT_NO_FATAL_FAILURE(ExpectPixels(runs, wide));
+  EXPECT_EQ(wide.groups[1023].lane[3].x, 4095);
+  EXPECT_TRUE(wide.groups[1023].lane[3].last);
+  EXPECT_EQ(wide.groups[1024].mask, 1);
 }
 
-TEST(PixelWalker, ResetDropsTheRun) {
+template <typename Build>
+void ExpectResetDropsTheRun() {
   const FlowPattern always = FlowPattern::Always();
-  Dut rtl;
-  EXPECT_NE(rtl.Run({RunOf(5, 6, 9, 0, 1)}, always, always, 4).failure, "");
+  Build rtl;
+  EXPECT_NE(rtl.Run({RunOf(5, 6, 33, 0, 1)}, always, always, 4).failure, "");
   rtl.Reset();
   const std::vector<SpanSeed> runs = {RunOf(7, 8, 2, kUlp, kUlp)};
   ExpectPixels(runs, rtl.Run(runs, always, always));
 }
 
+TEST(PixelWalker, ResetDropsTheRun) {
+  ExpectResetDropsTheRun<Dut>();
+  ExpectResetDropsTheRun<Dut4>();
+}
+
 TEST(PixelWalkerDeathTest, RunOfNoPixelsStopsTheSimulation) {
   const FlowPattern always = FlowPattern::Always();
-  EXPECT_EXIT(Dut().Run({RunOf(0, 0, 0, 0, 0)}, always, always), testing::KilledBySignal(SIGABRT),
-              "");
+  const std::vector<SpanSeed> empty = {RunOf(0, 0, 0, 0, 0)};
+  EXPECT_EXIT(Dut().Run(empty, always, always), testing::KilledBySignal(SIGABRT), "");
+  EXPECT_EXIT(Dut4().Run(empty, always, always), testing::KilledBySignal(SIGABRT), "");
 }
 
 }  // namespace

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <verilated.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "Vspan_binder.h"
+#include "Vspan_binder_span_binder.h"
+#include "model/flow_pattern.h"
+#include "tb/dut/pins.h"
+
+namespace shading::tb {
+
+// Pins of span_binder as triangles and spans in, runs out. The only file that includes
+// Vspan_binder.h.
+class SpanBinderDut {
+ public:
+  static constexpr int kLatency = Vspan_binder_span_binder::Latency;
+
+  // The spans follow the order of the triangles; span.last ends a triangle.
+  struct Work {
+    std::vector<TriangleState> triangles;
+    std::vector<SpanCommand> spans;
+  };
+  struct Flows {
+    FlowPattern triangle, span, run;
+  };
+  struct BoundRun {
+    SpanSeed run;
+    std::array<SpanNormal, 2> normal;
+    int64_t offered;  // first cycle with run_valid_o
+    int64_t taken;
+  };
+  struct Result {
+    std::vector<int64_t> triangles;  // cycle in which each is taken
+    std::vector<int64_t> spans;
+    std::vector<BoundRun> runs;
+    std::vector<bool> busy;  // busy_o of each cycle
+    std::string failure;     // empty when every run was taken and no triangle is left
+  };
+
+  SpanBinderDut()
+      : context_(std::make_unique<VerilatedContext>()),
+        top_(std::make_unique<Vspan_binder>(context_.get())) {
+    Reset();
+  }
+
+  void Reset() {
+    top_->triangle_valid_i = 0;
+    top_->span_valid_i = 0;
+    top_->run_ready_i = 0;
+    top_->rst_ni = 0;
+    Tick();
+    top_->rst_ni = 1;
+  }
+
+  // Offers the commands in order: each appears in a willing cycle of its pattern and stays until
+  // taken. Ends when all runs are taken; fails when nothing moves for longer than the patterns
+  // allow, or after `limit` cycles.
+  Result Run(const Work& work, const Flows& flows, int64_t limit = int64_t{1} << 40) {
+    Result result;
+    const int64_t patience = 16 + 2 * (flows.triangle.longest_gap() + flows.span.longest_gap() +
+                                       flows.run.longest_gap());
+    int64_t deadline = patience;
+    held_ = false;
+    for (int64_t cycle = 0; result.runs.size() < work.spans.size(); ++cycle) {
+      Offer(work, flows, cycle, result);
+      Settle();
+      if (Observe(cycle, &result)) deadline = cycle + patience;
+      if (cycle > deadline || cycle >= limit) {
+        result.failure = "unfinished in cycle " + std::to_string(cycle);
+      }
+      if (!result.failure.empty()) return result;
+      Tick();
+      Withdraw();
+    }
+    Settle();
+    if (top_->busy_o || top_->run_valid_o) result.failure = "not empty after the last run";
+    return result;
+  }
+
+ private:
+  static constexpr int kTriangleWords = 23, kSpanWords = 9, kRunWords = 4, kNormalWords = 6;
+
+  void Offer(const Work& work, const Flows& flows, int64_t cycle, const Result& result) {
+    const size_t triangle = result.triangles.size(), span = result.spans.size();
+    if (!top_->triangle_valid_i && triangle < work.triangles.size() && flows.triangle.At(cycle)) {
+      DriveTriangle(work.triangles[triangle], top_->triangle_i);
+      top_->triangle_valid_i = 1;
+    }
+    if (!top_->span_valid_i && span < work.spans.size() && flows.span.At(cycle)) {
+      DriveSpan(work.spans[span], top_->span_i);
+      top_->span_valid_i = 1;
+    }
+    top_->run_ready_i = flows.run.At(cycle);
+  }
+
+  bool Observe(int64_t cycle, Result* result) {
+    take_triangle_ = top_->triangle_valid_i && top_->triangle_ready_o;
+    take_span_ = top_->span_valid_i && top_->span_ready_o;
+    const bool take_run = top_->run_valid_o && top_->run_ready_i;
+    if (take_triangle_) result->triangles.push_back(cycle);
+    if (take_span_) result->spans.push_back(cycle);
+    result->busy.push_back(top_->busy_o);
+    CheckHeld(cycle, result);
+    if (take_run != take_span_) {
+      result->failure = "run and span part in cycle " + std::to_string(cycle);
+    }
+    if (take_run) result->runs.push_back(ReadRun(cycle));
+    return take_triangle_ || take_run;
+  }
+
+  // A run on offer may neither go nor change until it is taken.
+  void CheckHeld(int64_t cycle, Result* result) {
+    std::vector<uint32_t> words;
+    for (int word = 0; word < kRunWords; ++word) words.push_back(top_->run_o[word]);
+    for (int word = 0; word < kNormalWords; ++word) words.push_back(top_->normal_o[word]);
+    if (held_ && (!top_->run_valid_o || words != held_words_)) {
+      result->failure = "the run on offer changed in cycle " + std::to_string(cycle);
+    }
+    if (!held_ && top_->run_valid_o) offered_ = cycle;
+    held_ = top_->run_valid_o && !top_->run_ready_i;
+    held_words_ = words;
+  }
+
+  BoundRun ReadRun(int64_t cycle) const {
+    BoundRun bound;
+    BitReader bits(top_->run_o);
+    bound.run.material = static_cast<int>(bits.Take(kMaterialWidth));
+    bound.run.dz_dx = bits.TakeSigned<DepthAcc>();
+    bound.run.z = bits.TakeSigned<DepthAcc>();
+    bound.run.length = static_cast<int>(bits.Take(kLengthWidth));
+    bound.run.y = static_cast<int>(bits.Take(kCoordWidth));
+    bound.run.x = static_cast<int>(bits.Take(kCoordWidth));
+    BitReader components(top_->normal_o);
+    for (SpanNormal& normal : bound.normal) {
+      for (auto& component : normal) component = components.TakeSigned<SpanNormalComponent>();
+    }
+    bound.offered = offered_;
+    bound.taken = cycle;
+    return bound;
+  }
+
+  // Taken commands leave their ports; the payload turns into noise.
+  void Withdraw() {
+    if (take_triangle_) {
+      top_->triangle_valid_i = 0;
+      for (int i = 0; i < kTriangleWords; ++i) top_->triangle_i[i] = ~top_->triangle_i[i];
+    }
+    if (take_span_) {
+      top_->span_valid_i = 0;
+      for (int i = 0; i < kSpanWords; ++i) top_->span_i[i] = ~top_->span_i[i];
+    }
+  }
+
+  void Settle() {
+    top_->clk_i = 0;
+    top_->eval();
+  }
+  void Tick() {
+    Settle();
+    top_->clk_i = 1;
+    top_->eval();
+  }
+
+  std::unique_ptr<VerilatedContext> context_;  // outlives the top that lives in it
+  std::unique_ptr<Vspan_binder> top_;
+  bool take_triangle_ = false, take_span_ = false;
+  bool held_ = false;                 // the run on offer was not taken
+  int64_t offered_ = 0;               // since when it is on offer
+  std::vector<uint32_t> held_words_;  // its bits
+};
+
+}  // namespace shading::tb

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/raster/pixel_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <random>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "tb/dut/pixel_queue_dut.h"
+#include "tests/unit/flows.h"
+#include "tests/unit/raster/pixel_queue_stimulus.h"
+
+namespace shading {
+namespace {
+
+constexpr size_t kDepth = PixelQueue::kDepth;
+// From entry to codes; one cycle later the group is on offer.
+constexpr int kLongestLight = static_cast<int>(kDepth) - 1 - PixelQueue::kContract.latency_cycles;
+using Dut = tb::PixelQueueDut;
+using Dut4 = tb::PixelQueue4Dut;
+
+// Groups that come in the cycles of a flow, through a light whose length changes from group to
+// group, 1 to 63 cycles, and whose cosines are early, late or in the cycle of the entry.
+template <int kLanes>
+QueuePlan<kLanes> RandomPlan(Flow source, size_t groups, std::mt19937& random) {
+  QueuePlan<kLanes> plan = SteadyPlan<kLanes>(groups, 0, 1, 1);
+  int longest = 1;
+  for (size_t g = 0; g < groups; ++g) {
+    if (random() % 64 == 0) longest = 1 + static_cast<int>(random() % 63);
+    const int light = random() % 2 ? longest : 1 + static_cast<int>(random() % longest);
+    plan.light[g] = light;
+    plan.cosines[g] = random() % 2 ? 0 : static_cast<int>(random() % light);
+    plan.gap[g] = source == Flow::kAlways      ? 0
+                  : source == Flow::kOneInFour ? 3
+                                               : static_cast<int>(random() % 4);
+  }
+  return plan;
+}
+
+using Flows = std::tuple<Flow, Flow>;
+class PixelQueueFlow : public testing::TestWithParam<Flows> {
+ protected:
+  // Every output of every cycle, every group once and in order.
+  template <typename Build>
+  void ExpectOutputs() {
+    const auto [source, sink] = GetParam();
+    std::mt19937 random(1);
+    const auto plan = RandomPlan<Build::kLaneCount>(source, 40000, random);
+    QueueBench<Build> bench;
+    ASSERT_NO_FATAL_FAILURE(bench.Run(plan, PatternOf(sink, 2)));
+    EXPECT_EQ(bench.left.size(), plan.size());
+    EXPECT_LE(bench.most_inside, kDepth);
+    if (source == Flow::kAlways) {
+      EXPECT_EQ(bench.most_inside, kDepth) << "never full";
+    }
+  }
+};
+
+TEST_P(PixelQueueFlow, RtlMatchesModel) { ExpectOutputs<Dut>(); }
+TEST_P(PixelQueueFlow, FourLanesMatchModel) { ExpectOutputs<Dut4>(); }
+
+constexpr auto kFlows = {Flow::kAlways, Flow::kOneInFour, Flow::kRandom};
+INSTANTIATE_TEST_SUITE_P(AllFlows, PixelQueueFlow,
+                         testing::Combine(testing::ValuesIn(kFlows), testing::ValuesIn(kFlows)),
+                         [](const auto& flow) {
+                           return "Source" + NameOf(std::get<0>(flow.param)) + "Sink" +
+                                  NameOf(std::get<1>(flow.param));
+                         });
+
+template <typename Build>
+void ExpectTiming() {
+  EXPECT_EQ(Build::kLatency, PixelQueue::kContract.latency_cycles);
+  QueueBench<Build> bench;
+  bench.Run(SteadyPlan<Build::kLaneCount>(100, 3, 7, 1), FlowPattern::Always());
+  ASSERT_EQ(bench.left.size(), 100u);
+  for (size_t g = 0; g < 100; ++g) {
+    EXPECT_EQ(bench.left[g] - bench.lit[g], PixelQueue::kContract.latency_cycles);
+    if (g > 0) {
+      EXPECT_EQ(bench.left[g] - bench.left[g - 1], PixelQueue::kContract.interval_cycles);
+    }
+  }
+}
+
+TEST(PixelQueue, ContractMatchesRtl) {
+  ExpectTiming<Dut>();
+  ExpectTiming<Dut4>();
+}
+
+// Spans of 1 to `longest` groups; the groups of a span come without a gap.
+QueuePlan<1> SpanPlan(int spans, uint32_t longest, int light, std::mt19937& random,
+                      std::vector<int64_t>* lengths) {
+  lengths->clear();
+  std::vector<int> gap;
+  for (int span = 0; span < spans; ++span) {
+    const int64_t length = random() % 3 == 0 ? 1 : 1 + static_cast<int64_t>(random() % longest);
+    lengths->push_back(length);
+    gap.push_back(random() % 2 ? 0 : static_cast<int>(random() % 70));
+    gap.resize(gap.size() + static_cast<size_t>(length) - 1, 0);
+  }
+  QueuePlan<1> plan = SteadyPlan<1>(gap.size(), light - 1, light, 1);
+  plan.gap = gap;
+  return plan;
+}
+
+// Entry and leave of every group from the cycle model, span by span.
+void ExpectModelCycles(const QueuePlan<1>& plan, const std::vector<int64_t>& lengths, int light,
+                       const FlowPattern& sink) {
+  QueueBench<Dut> bench;
+  ASSERT_NO_FATAL_FAILURE(bench.Run(plan, sink));
+  PixelQueue queue;
+  int64_t entered = -1, left = -1;
+  for (const int64_t length : lengths) {
+    const int64_t first = queue.groups();
+    const int64_t offered = entered + 1 + plan.gap[static_cast<size_t>(first)];
+    entered = std::max(offered, queue.RoomFor(first, sink) + 1);
+    const int64_t valid =
+        std::max(entered + light + PixelQueue::kContract.latency_cycles, left + 1);
+    const int64_t rank = sink.always() ? valid : sink.Rank(valid);
+    queue.Add({first, length, valid, rank});
+    for (int64_t i = 0; i < length; ++i) {
+      const auto group = static_cast<size_t>(first + i);
+      if (i > 0) entered = std::max(entered + 1, queue.RoomFor(first + i, sink) + 1);
+      ASSERT_EQ(bench.entered[group], entered) << "group " << group << ", light " << light;
+      left = sink.always() ? valid + i : sink.Select(rank + i);
+      ASSERT_EQ(bench.left[group], left) << "group " << group << ", light " << light;
+    }
+  }
+}
+
+TEST(PixelQueue, CyclesMatchModel) {
+  std::mt19937 random(1);
+  std::vector<int64_t> lengths;
+  for (int light = 1; light <= kLongestLight; ++light) {
+    for (const Flow flow : kFlows) {
+      const uint32_t longest = light % 2 ? 300 : 4;
+      const QueuePlan<1> plan = SpanPlan(200, longest, light, random, &lengths);
+      ASSERT_NO_FATAL_FAILURE(ExpectModelCycles(plan, lengths, light, PatternOf(flow, 5)));
+    }
+  }
+}
+
+// Full rate: 63 cycles from entry to offer are the most that 64 places hide; at 64 every 64th
+// group comes one cycle late.
+template <typename Build>
+int64_t CyclesOf(size_t groups, int light) {
+  QueueBench<Build> bench;
+  bench.Run(SteadyPlan<Build::kLaneCount>(groups, light - 1, light, 1), FlowPattern::Always());
+  return bench.left.back() - bench.left.front() + 1;
+}
+
+TEST(PixelQueue, NoBubbleAtFullRate) {
+  for (const int light : {1, 13, kLongestLight}) {
+    EXPECT_EQ(CyclesOf<Dut>(1280, light), 1280) << "light " << light;
+    EXPECT_EQ(CyclesOf<Dut4>(1280, light), 1280) << "light " << light;
+  }
+  EXPECT_EQ(CyclesOf<Dut>(1280, kLongestLight + 1), 1280 + 1280 / 64 - 1);
+}
+
+template <typename Build>
+void ExpectSixtyFourPlaces() {
+  QueueBench<Build> bench;
+  const auto plan = SteadyPlan<Build::kLaneCount>(200, 0, 1, 1);
+  const std::string stall(300, '0');
+  bench.Run(plan, FlowPattern::Recorded(stall + "10001"));
+  ASSERT_EQ(bench.left.size(), 200u);
+  EXPECT_EQ(bench.most_inside, kDepth);
+  for (size_t g = 0; g < kDepth; ++g) EXPECT_EQ(bench.entered[g], static_cast<int64_t>(g));
+  for (size_t g = kDepth; g < 200; ++g) {
+    EXPECT_EQ(bench.entered[g], bench.left[g - kDepth] + 1) << "a place is free one cycle later";
+  }
+}
+
+TEST(PixelQueue, HoldsSixtyFourGroups) {
+  ExpectSixtyFourPlaces<Dut>();
+  ExpectSixtyFourPlaces<Dut4>();
+}
+
+TEST(PixelQueue, ResetDropsTheGroups) {
+  QueueBench<Dut4> bench;
+  bench.Run(SteadyPlan<4>(40, 1, 9, 1), FlowPattern::Always(), 20);
+  ASSERT_GT(bench.entered.size(), bench.left.size());
+  bench.rtl().Reset();
+  EXPECT_TRUE(bench.rtl().enter_ready());
+  EXPECT_FALSE(bench.rtl().busy());
+  EXPECT_FALSE(bench.rtl().pixel_valid());
+}
+
+TEST(PixelQueueDeathTest, CodesOfNoPixelStopTheSimulation) {
+  Dut rtl;
+  rtl.Light(true, {});
+  EXPECT_EXIT(rtl.Tick(), testing::KilledBySignal(SIGABRT), "");
+}
+
+TEST(PixelQueueDeathTest, CosinesOfNoPixelStopTheSimulation) {
+  Dut rtl;
+  rtl.Cosines(true);
+  EXPECT_EXIT(rtl.Tick(), testing::KilledBySignal(SIGABRT), "");
+}
+
+}  // namespace
+}  // namespace shading
