@@ -134,7 +134,7 @@ module slerp_direct
 
   s1_28_t                        cosine_q, sine_q;
   axes_t                         axes_read_q;
-  product_t                      along_q [Components], across_q [Components];
+  product_t [Components-1:0]     along_q, across_q;
   pixel_normal_t [Components-1:0] normal_q;
 
   // S4.58 -> S1.24: rounds halves up, saturates.
@@ -157,7 +157,7 @@ module slerp_direct
         across_q[i] <= product_t'($signed(axes_read_q.side[i])) * product_t'(sine_q);
       end
       if (valid_q[Latency-2]) begin
-        normal_q[i] <= to_normal(63'(along_q[i]) + 63'(across_q[i]));
+        normal_q[i] <= to_normal(63'($signed(along_q[i])) + 63'($signed(across_q[i])));
       end
     end
   end

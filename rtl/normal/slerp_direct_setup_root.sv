@@ -27,7 +27,7 @@ module slerp_direct_setup_root
   kappa_t                        kappa_q;
   span_normal_t [Components-1:0] start_q;
   quantity_t    [Components-1:0] difference_q;
-  logic signed [61:0] bend_q [Components];               // Na kappa, 58 + 2 p fraction bits
+  logic [Components-1:0][61:0]   bend_q;                 // Na kappa, 58 + 2 p fraction bits
 
   ///////////////////
   // Root of kappa //
@@ -105,7 +105,7 @@ module slerp_direct_setup_root
   assign start_o = start_q;
   for (genvar i = 0; i < Components; i++) begin : gen_rise
     arc_rise_t bend;                         // Na kappa/2
-    assign bend      = arc_rise_t'(((bend_q[i] >>> shift) + 62'sd1) >>> 1);
+    assign bend      = arc_rise_t'((($signed(bend_q[i]) >>> shift) + 62'sd1) >>> 1);
     assign rise_o[i] = $signed({difference_q[i][39], difference_q[i], 2'd0}) + bend;
   end
 endmodule

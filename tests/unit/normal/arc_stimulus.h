@@ -65,6 +65,19 @@ inline SpanCommand SpanOf(const Plane& plane, Real turn, int length) {
   return span;
 }
 
+// The angle between the ends of a span, and slerp between them at w = 0 .. 1.
+inline Real TurnOf(const SpanCommand& span) {
+  const RealVector a = Unit(RealOf(span.normal[0])), b = Unit(RealOf(span.normal[1]));
+  const RealVector chord = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  return 2 * std::asin(std::sqrt(Dot(chord, chord)) / 2);
+}
+inline RealVector SlerpOf(const SpanCommand& span, Real turn, Real w) {
+  const RealVector a = RealOf(span.normal[0]), b = RealOf(span.normal[1]);
+  const Real wa = turn == 0 ? 1 - w : std::sin((1 - w) * turn) / std::sin(turn);
+  const Real wb = turn == 0 ? w : std::sin(w * turn) / std::sin(turn);
+  return {wa * a[0] + wb * b[0], wa * a[1] + wb * b[1], wa * a[2] + wb * b[2]};
+}
+
 struct PixelSeed {
   std::array<QuantitySeed, 3> quantity;
   Kappa kappa;
@@ -90,6 +103,30 @@ inline Real RandomTurn(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   if (random() % 4 == 0) return kQuarterTurn * (1 - 0.05L * unit(random));
   return kQuarterTurn * std::pow(10.0L, -5.9543L * unit(random));
+}
+
+inline SpanArc ArcOf(const Plane& plane, Real step) {
+  return {Angle::FromRaw(std::llround(std::ldexp(step, Angle::kFraction))),
+          RoundNormal(plane.start), RoundNormal(plane.side)};
+}
+
+// Of a span, or any bits.
+inline SpanArc RandomSpanArc(int length, std::mt19937& random) {
+  SpanArc arc;
+  if (random() % 4) {
+    const PixelSeed seed = SeedOf(SpanOf(RandomPlane(random), RandomTurn(random), length));
+    return SlerpDirectSetup::Of(seed.quantity, seed.kappa);
+  }
+  const auto bits = [&random] {
+    const auto word = static_cast<int32_t>(random());
+    return SpanNormalComponent::FromRaw(random() % 8   ? word >> (random() % 32)
+                                        : random() % 2 ? INT32_MIN
+                                                       : INT32_MAX);
+  };
+  for (size_t i = 0; i < 3; ++i) arc.start[i] = bits(), arc.side[i] = bits();
+  const uint64_t step = static_cast<uint64_t>(random()) << 32 | random();
+  arc.step = Angle::FromRaw(static_cast<int64_t>(step >> (23 + random() % 41)));
+  return arc;
 }
 
 }  // namespace shading
