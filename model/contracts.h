@@ -5,11 +5,29 @@
 
 #include "model/intensity/flat_color.h"
 #include "model/intensity/gouraud_interpolator.h"
+#include "model/intensity/lane_seed.h"
 #include "model/intensity/quad_surface.h"
+#include "model/light/blinn_specular.h"
+#include "model/light/dot_product.h"
 #include "model/light/mean_cosines.h"
+#include "model/light/pixel_light.h"
+#include "model/light/rgb_combine.h"
+#include "model/light/specular_cosine.h"
 #include "model/light/specular_power.h"
 #include "model/light/vertex_light.h"
+#include "model/normal/duff_normalizer.h"
+#include "model/normal/length_recurrence.h"
+#include "model/normal/linear_recurrence.h"
+#include "model/normal/normal_setup.h"
+#include "model/normal/phong_direct.h"
+#include "model/normal/reciprocal_sqrt.h"
+#include "model/normal/slerp_paper.h"
+#include "model/normal/slerp_recurrence.h"
+#include "model/normal/span_normals.h"
+#include "model/normal/taylor_normalizer.h"
+#include "model/raster/pixel_queue.h"
 #include "model/raster/pixel_walker.h"
+#include "model/raster/span_binder.h"
 #include "model/raster/span_setup.h"
 #include "model/raster/span_walker.h"
 #include "model/raster/surface_fit.h"
@@ -19,10 +37,36 @@
 namespace shading {
 
 // Every unit, in the order in which a triangle meets them.
-inline constexpr std::array<UnitContract, 12> kContracts = {
-    TriangleSetup::kContract,       SpanWalker::kContract,  SpecularPower::kContract,
-    MeanCosines::kContract,         VertexLight::kContract, SurfaceFit::kContract,
-    SpanSetup::kContract,           PixelWalker::kContract, FlatColor::kContract,
-    GouraudInterpolator::kContract, QuadSurface::kContract, ShadingUnit::kContract};
+inline constexpr std::array kContracts = {
+    TriangleSetup::kContract,
+    SpanWalker::kContract,
+    SpecularPower::kContract,
+    MeanCosines::kContract,
+    VertexLight::kContract,
+    SurfaceFit::kContract,
+    SpanNormals::kContract,
+    SpanSetup::kContract,
+    SpanBinder::kContract,
+    NormalSetup::kContract,
+    PixelWalker::kContract,
+    LaneSeed::kContract,
+    FlatColor::kContract,
+    GouraudInterpolator::kContract,
+    QuadSurface::kContract,
+    LinearRecurrence::kContract,
+    SlerpRecurrence::kContract,
+    SlerpPaper::kContract,
+    LengthRecurrence::kContract,
+    ReciprocalSqrt::kContract,
+    PhongDirect::kContract,
+    TaylorNormalizer::kContract,
+    DuffNormalizer::kContract,
+    DotProduct::kContract,
+    SpecularCosine::kContract,
+    BlinnSpecular::kContract,
+    RgbCombine::kContract,
+    PixelLight::kContract,
+    PixelQueue::kContract,
+    ShadingUnit::kContract};
 
 }  // namespace shading

@@ -54,11 +54,22 @@ int64_t ShadingClock::OfferNormalSeed(int64_t offered, bool last) {
   span_taken_ = std::max({offered, triangle_taken_, stage_entered_[1]});
   stage_entered_[0] = span_taken_;
   for (size_t j = 1; j <= stages; ++j) {
-    const int64_t free = j < stages ? stage_entered_[j + 1] : seed_taken_;
+    const int64_t free = j < stages ? stage_entered_[j + 1] : normal_seed_taken_;
     stage_entered_[j] = std::max(stage_entered_[j - 1] + NormalSetup::kSteps, free);
   }
   if (last) triangle_released_ = span_taken_;
   return stage_entered_[stages] + 1;
+}
+
+int64_t ShadingClock::OfferArc(int64_t seed_offered) {
+  constexpr size_t kStages = SlerpDirectSetup::kStages;
+  normal_seed_taken_ = std::max(seed_offered, arc_stage_entered_[1]);
+  arc_stage_entered_[0] = normal_seed_taken_;
+  for (size_t j = 1; j <= kStages; ++j) {
+    const int64_t free = j < kStages ? arc_stage_entered_[j + 1] : seed_taken_;
+    arc_stage_entered_[j] = std::max(arc_stage_entered_[j - 1] + NormalSetup::kSteps, free);
+  }
+  return arc_stage_entered_[kStages] + 1;
 }
 
 // Groups enter the light as the queue has room. Room for a later group never comes so late that the
@@ -86,9 +97,12 @@ void ShadingClock::Leave(int64_t groups, SpanTiming* timing) {
 SpanTiming ShadingClock::Span(int length, bool last) {
   SpanTiming timing;
   const int64_t offered = source_.Next(span_taken_ + 1);
-  const int64_t seed_offered = InterpolatesNormals(method_) ? OfferNormalSeed(offered, last)
-                                                            : OfferSurfaceSeed(offered, last);
+  int64_t seed_offered = InterpolatesNormals(method_) ? OfferNormalSeed(offered, last)
+                                                      : OfferSurfaceSeed(offered, last);
+  const bool has_arc = method_ == Method::kSlerpDirect;
+  if (has_arc) seed_offered = OfferArc(seed_offered);
   seed_taken_ = std::max(seed_offered, walker_free_);
+  if (!has_arc) normal_seed_taken_ = seed_taken_;
   timing.accepted = span_taken_;
   const int64_t groups = (length + lanes_ - 1) / lanes_;
   Leave(groups, &timing);

@@ -5,6 +5,7 @@
 
 #include "model/flow_pattern.h"
 #include "model/normal/normal_setup.h"
+#include "model/normal/slerp_direct_setup.h"
 #include "model/raster/pixel_queue.h"
 #include "model/shading_types.h"
 
@@ -44,6 +45,7 @@ class ShadingClock {
  private:
   int64_t OfferSurfaceSeed(int64_t offered, bool last);
   int64_t OfferNormalSeed(int64_t offered, bool last);
+  int64_t OfferArc(int64_t seed_offered);
   void Leave(int64_t groups, SpanTiming* timing);
 
   Method method_;
@@ -57,7 +59,9 @@ class ShadingClock {
   int64_t last_step_ = 0;          // span_setup
   int64_t sum_ = 0;
   std::array<int64_t, NormalSetup::kStages + 2> stage_entered_ = {};  // normal_setup
-  int64_t seed_taken_ = 0;
+  std::array<int64_t, SlerpDirectSetup::kStages + 1> arc_stage_entered_ = {};  // slerp_direct_setup
+  int64_t normal_seed_taken_ = 0;  // of normal_setup, by slerp_direct_setup or pixel_walker
+  int64_t seed_taken_ = 0;         // by pixel_walker
   int64_t walker_free_ = 0;  // the last group of the span before leaves pixel_walker
   int64_t last_left_ = 0;
   PixelQueue queue_;

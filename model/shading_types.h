@@ -31,19 +31,20 @@ enum class Method {
   kPhongDuff,
   kSlerp,
   kSlerpPaper,
-  kSlerpIntensity
+  kSlerpIntensity,
+  kSlerpDirect
 };
-inline constexpr std::array<Method, 9> kAllMethods = {
-    Method::kFlat,  Method::kGouraud,     Method::kQuad,
-    Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff,
-    Method::kSlerp, Method::kSlerpPaper,  Method::kSlerpIntensity};
+inline constexpr std::array<Method, 10> kAllMethods = {
+    Method::kFlat,           Method::kGouraud,   Method::kQuad,  Method::kPhong,
+    Method::kPhongTaylor,    Method::kPhongDuff, Method::kSlerp, Method::kSlerpPaper,
+    Method::kSlerpIntensity, Method::kSlerpDirect};
 // Methods that interpolate intensities; the others interpolate normals or cosines.
 inline constexpr std::array<Method, 3> kSurfaceMethods = {Method::kFlat, Method::kGouraud,
                                                           Method::kQuad};
 inline constexpr std::string_view Name(Method method) {
-  constexpr std::array<std::string_view, 9> kNames = {"flat",  "gouraud",      "quad",
-                                                      "phong", "phong-taylor", "phong-duff",
-                                                      "slerp", "slerp-paper",  "slerp-intensity"};
+  constexpr std::array<std::string_view, 10> kNames = {
+      "flat",       "gouraud", "quad",        "phong",           "phong-taylor",
+      "phong-duff", "slerp",   "slerp-paper", "slerp-intensity", "slerp-direct"};
   return kNames[static_cast<size_t>(method)];
 }
 constexpr bool InterpolatesNormals(Method method) { return method > Method::kQuad; }

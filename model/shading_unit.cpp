@@ -89,6 +89,7 @@ void ShadingUnit::ShadeNormals(const SpanCommand& span, Pixel* pixels) {
     case Method::kPhongDuff: return LightSpan<DuffShader<kLanes>, kLanes>(pixels);
     case Method::kSlerp: return LightSpan<SlerpShader<kLanes>, kLanes>(pixels);
     case Method::kSlerpPaper: return LightSpan<SlerpPaperShader<kLanes>, kLanes>(pixels);
+    case Method::kSlerpDirect: return LightSpan<SlerpDirectShader<kLanes>, kLanes>(pixels);
     case Method::kSlerpIntensity: return LightSpan<SlerpIntensityShader<kLanes>, kLanes>(pixels);
     default: return;
   }

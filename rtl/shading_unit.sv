@@ -3,7 +3,8 @@
 // Shading unit: triangles and their spans in, shaded pixels out, Lanes per cycle.
 //
 //   triangle, span -> span_setup -> pixel_walker + surface_shader -> pixel
-//   triangle, span -> span_binder -> normal_setup -> pixel_walker + normal_shader
+//   triangle, span -> span_binder -> normal_setup (-> slerp_direct_setup)
+//                                     -> pixel_walker + normal_shader
 //                                     -> pixel_light -> pixel_queue -> pixel
 //
 // Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
@@ -96,14 +97,21 @@ module shading_unit
   length_seed_t   [Lanes-1:0]                 length;
   kappa_t                                     kappa;
   kappa_t [1:0]                               step_kappa;
+  arc_t                                       arc;      // slerp-direct
+  logic                                       is_direct;
+  assign is_direct = is_normal && is_method(Methods, frame_q.method, MethodSlerpDirect);
 
   if (HasNormal) begin : gen_normal_setup
     logic                               run_valid, run_ready, binder_busy;
     lit_run_t                           run;
     span_normal_t [1:0][Components-1:0] normal;
     setup_kind_t                        kind;
+    logic                               recurrence_valid, recurrence_busy, direct_valid;
+    logic                               direct_ready, direct_busy;
+    lit_run_t                           recurrence_run, direct_run;
     assign kind = '{
-      spherical: frame_q.method inside {MethodSlerp, MethodSlerpPaper, MethodSlerpIntensity},
+      spherical: frame_q.method inside {MethodSlerp, MethodSlerpPaper, MethodSlerpIntensity,
+                                        MethodSlerpDirect},
       cosines:   frame_q.method inside {MethodPhongDuff, MethodSlerpIntensity},
       length:    frame_q.method == MethodPhongDuff};
     assign normal_busy = binder_busy || normal_inside;
@@ -131,18 +139,46 @@ module shading_unit
       .span_ready_o(run_ready),
       .run_i       (run),
       .normal_i    (normal),
-      .seed_valid_o(normal_valid),
-      .seed_ready_i(seed_ready && is_normal),
-      .run_o       (lit_run),
+      .seed_valid_o(recurrence_valid),
+      .seed_ready_i(is_direct ? direct_ready : seed_ready && is_normal),
+      .run_o       (recurrence_run),
       .quantity_o  (quantity),
       .length_o    (length),
       .kappa_o     (kappa),
       .step_kappa_o(step_kappa),
-      .busy_o      (normal_inside)
+      .busy_o      (recurrence_busy)
     );
+
+    // Seeds of one pixel's stride, whatever the lanes.
+    if (Methods[MethodSlerpDirect]) begin : gen_direct_setup
+      quantity_seed_t [Components-1:0] step;
+      for (genvar c = 0; c < Components; c++) begin : gen_step
+        assign step[c].first = quantity[c][0].first;
+        if (Lanes == 1) assign step[c].difference = quantity[c][0].difference;
+        else            assign step[c].difference = quantity[c][1].first - quantity[c][0].first;
+      end
+      slerp_direct_setup u_slerp_direct_setup (
+        .clk_i, .rst_ni,
+        .seed_valid_i(recurrence_valid && is_direct),
+        .seed_ready_o(direct_ready),
+        .run_i       (recurrence_run),
+        .quantity_i  (step),
+        .kappa_i     (Lanes == 1 ? kappa : step_kappa[0]),
+        .seed_valid_o(direct_valid),
+        .seed_ready_i(seed_ready),
+        .run_o       (direct_run),
+        .arc_o       (arc),
+        .busy_o      (direct_busy)
+      );
+    end else begin : gen_no_direct_setup
+      assign {direct_ready, direct_run, direct_valid, direct_busy, arc} = '0;
+    end
+    assign normal_valid  = is_direct ? direct_valid : recurrence_valid;
+    assign lit_run       = is_direct ? direct_run : recurrence_run;
+    assign normal_inside = recurrence_busy || direct_busy;
   end else begin : gen_no_normal_setup
     assign {normal_triangle_ready, normal_span_ready, normal_valid} = '0;
-    assign {normal_busy, normal_inside, lit_run, quantity, length, kappa, step_kappa} = '0;
+    assign {normal_busy, normal_inside, lit_run, quantity, length, kappa, step_kappa, arc} = '0;
   end
 
   ////////////
@@ -206,6 +242,7 @@ module shading_unit
       .length_i    (length),
       .kappa_i     (kappa),
       .step_kappa_i(step_kappa),
+      .arc_i       (arc),
       .valid_i     (walker_valid && queue_ready && is_normal),
       .valid_o     (cosines_valid),
       .cosines_o   (cosines)

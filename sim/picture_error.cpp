@@ -43,6 +43,7 @@ void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, Method m
     case Method::kPhongTaylor: return ForEachPixel<ideal::PhongTaylor>(picture, list, visit);
     case Method::kSlerp:
     case Method::kSlerpPaper:
+    case Method::kSlerpDirect:
     case Method::kSlerpIntensity: return ForEachPixel<ideal::Slerp>(picture, list, visit);
   }
 }

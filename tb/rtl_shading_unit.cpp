@@ -19,6 +19,8 @@
 #include "Vshading_unit_quad___024root.h"
 #include "Vshading_unit_slerp.h"
 #include "Vshading_unit_slerp___024root.h"
+#include "Vshading_unit_slerp_direct.h"
+#include "Vshading_unit_slerp_direct___024root.h"
 #include "Vshading_unit_slerp_intensity.h"
 #include "Vshading_unit_slerp_intensity___024root.h"
 #include "Vshading_unit_slerp_paper.h"
@@ -42,6 +44,8 @@ std::unique_ptr<RtlShadingUnit> RtlShadingUnit::Create(Method method, int lanes)
       return std::make_unique<ShadingUnitDut<Vshading_unit_slerp_paper, 1>>();
     case Method::kSlerpIntensity:
       return std::make_unique<ShadingUnitDut<Vshading_unit_slerp_intensity, 1>>();
+    case Method::kSlerpDirect:
+      return std::make_unique<ShadingUnitDut<Vshading_unit_slerp_direct, 1>>();
   }
   return nullptr;
 }

@@ -35,7 +35,7 @@ class NormalSetup {
       33,
       8,
       "normals S1.30, light vectors S1.22, 0..4095 steps",
-      "quantities S1.38, |N|^2 S1.44, kappa U1.28 4^-p",
+      "quantities S1.38, squared length S1.44, kappa U1.28 4^-p",
       64,
       "slerp of unit normals up to 90 degrees, ulp of 2^-30 at any pixel, exact recurrence"};
 

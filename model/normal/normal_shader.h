@@ -6,6 +6,8 @@
 #include "model/normal/length_recurrence.h"
 #include "model/normal/linear_recurrence.h"
 #include "model/normal/phong_direct.h"
+#include "model/normal/slerp_direct.h"
+#include "model/normal/slerp_direct_setup.h"
 #include "model/normal/slerp_paper.h"
 #include "model/normal/slerp_recurrence.h"
 #include "model/normal/taylor_normalizer.h"
@@ -147,6 +149,39 @@ class SlerpPaperShader {
   std::array<SlerpPaper, 3> arc_;
 };
 
+// slerp-direct: the same by paper 000 (6), from the seeds of one pixel's stride.
+template <int kLanes>
+class SlerpDirectShader {
+ public:
+  static constexpr int kLatency =
+      SlerpDirect::kContract.latency_cycles + DotProduct::kContract.latency_cycles;
+
+  explicit SlerpDirectShader(const NormalSeed& seed) : SlerpDirectShader(ArcOf(seed)) {}
+  LightCosines At(size_t lane, const LightState& light) const {
+    return CosinesOf(lane_[lane].normal(), light);
+  }
+  void Step() {
+    for (SlerpDirect& lane : lane_) lane.Step();
+  }
+
+ private:
+  explicit SlerpDirectShader(const SpanArc& arc) {
+    for (int j = 0; j < kLanes; ++j) lane_[static_cast<size_t>(j)] = SlerpDirect(arc, j, kLanes);
+  }
+  static SpanArc ArcOf(const NormalSeed& seed) {
+    std::array<QuantitySeed, 3> step;
+    for (size_t q = 0; q < 3; ++q) {
+      const auto& lanes = seed.quantity[q];
+      step[q] = lanes[0];
+      if (kLanes > 1) {
+        step[q].difference = Quantity::Wrap(lanes[1].first.raw() - lanes[0].first.raw());
+      }
+    }
+    return SlerpDirectSetup::Of(step, kLanes == 1 ? seed.kappa : seed.step_kappa[0]);
+  }
+  std::array<SlerpDirect, kLanes> lane_;
+};
+
 // slerp-intensity: two spherical recurrences, no vectors.
 template <int kLanes>
 class SlerpIntensityShader {
@@ -181,6 +216,7 @@ constexpr int CosineLatency(Method method) {
     case Method::kPhongDuff: return DuffShader<1>::kLatency;
     case Method::kSlerp: return SlerpShader<1>::kLatency;
     case Method::kSlerpPaper: return SlerpPaperShader<1>::kLatency;
+    case Method::kSlerpDirect: return SlerpDirectShader<1>::kLatency;
     default: return 0;
   }
 }

@@ -7,6 +7,7 @@
 //   phong-duff       linear_recurrence x 2 + length_recurrence  -> duff_normalizer
 //   slerp            slerp_recurrence x 3                       -> dot_product x 2
 //   slerp-paper      slerp_paper x 3                            -> dot_product x 2
+//   slerp-direct     slerp_direct                               -> dot_product x 2
 //   slerp-intensity  slerp_recurrence x 2
 //
 // Timing    The recurrences march with the walker: 1 cycle from load_i to the first pixels. From
@@ -34,6 +35,7 @@ module normal_shader
   input  length_seed_t   [Lanes-1:0]                 length_i,
   input  kappa_t                                     kappa_i,       // of one stride
   input  kappa_t [1:0]                               step_kappa_i,  // of one and of two pixels
+  input  arc_t                                       arc_i,
 
   input  logic                 valid_i,
   output logic                 valid_o,
@@ -46,12 +48,15 @@ module normal_shader
   localparam bit HasPaper = Methods[MethodSlerpPaper];
   localparam bit HasIntensity = Methods[MethodSlerpIntensity];
   localparam bit HasLinearVector = HasPhong || HasTaylor;
-  localparam bit HasVector = HasLinearVector || HasSlerp || HasPaper;
+  localparam bit HasDirect = Methods[MethodSlerpDirect];
+  localparam bit HasVector = HasLinearVector || HasSlerp || HasPaper || HasDirect;
   // Quantities that each kind of recurrence interpolates.
   localparam int unsigned LinearQuantities = HasLinearVector ? 3 : HasDuff ? 2 : 0;
   localparam int unsigned SlerpQuantities = HasSlerp ? 3 : HasIntensity ? 2 : 0;
 
   logic is_phong, is_taylor, is_duff, is_slerp, is_paper, is_intensity, is_linear, is_reinsch;
+  logic is_direct;
+  assign is_direct    = is_method(Methods, method_i, MethodSlerpDirect);
   assign is_phong     = is_method(Methods, method_i, MethodPhong);
   assign is_taylor    = is_method(Methods, method_i, MethodPhongTaylor);
   assign is_duff      = is_method(Methods, method_i, MethodPhongDuff);
@@ -109,8 +114,9 @@ module normal_shader
     cosines_t dot, duff, interpolated;
 
     if (HasVector) begin : gen_vector
-      logic                           phong_valid, taylor_valid;
+      logic                           phong_valid, taylor_valid, direct_valid;
       pixel_normal_t [Components-1:0] phong_normal, taylor_normal, slerp_normal, normal;
+      pixel_normal_t [Components-1:0] direct_normal;
       quantity_t     [Components-1:0] line;
       assign line = {linear[2][lane], linear[1][lane], linear[0][lane]};
       if (HasPhong) begin : gen_phong
@@ -129,13 +135,21 @@ module normal_shader
         assign taylor_valid  = 1'b0;
         assign taylor_normal = '0;
       end
+      if (HasDirect) begin : gen_direct
+        slerp_direct #(.Lane(lane), .Lanes(Lanes)) u_slerp_direct (
+          .clk_i, .rst_ni, .load_i(load_i && is_direct), .step_i(step_i && is_direct), .arc_i,
+          .valid_i(valid_i && is_direct), .valid_o(direct_valid), .normal_o(direct_normal));
+      end else begin : gen_no_direct
+        assign direct_valid  = 1'b0;
+        assign direct_normal = '0;
+      end
       for (genvar c = 0; c < Components; c++) begin : gen_component
         assign slerp_normal[c] = to_pixel_normal(is_paper ? paper[c][lane] : reinsch[c][lane]);
         assign normal[c] = is_phong ? phong_normal[c] : is_taylor ? taylor_normal[c]
-                                                                  : slerp_normal[c];
+                         : is_direct ? direct_normal[c] : slerp_normal[c];
       end
       assign vector_valid = is_phong ? phong_valid : is_taylor ? taylor_valid
-                                                   : valid_i && (is_slerp || is_paper);
+                          : is_direct ? direct_valid : valid_i && (is_slerp || is_paper);
 
       logic dot_h_valid;  // the same as dot_valid
       dot_product u_n_dot_l (

@@ -23,15 +23,16 @@ package shading_pkg;
     MethodPhongDuff      = 4'd5,
     MethodSlerp          = 4'd6,
     MethodSlerpPaper     = 4'd7,
-    MethodSlerpIntensity = 4'd8
+    MethodSlerpIntensity = 4'd8,
+    MethodSlerpDirect    = 4'd9
   } method_e;
 
   // Which methods a build contains: bit k stands for the method with value k.
-  localparam int unsigned NumMethods = 9;
+  localparam int unsigned NumMethods = 10;
   typedef logic [NumMethods-1:0] methods_t;
   localparam methods_t AllMethods = '1;
   // Methods that interpolate intensities; the others interpolate normals or cosines.
-  localparam methods_t SurfaceMethods = 9'b000000111;
+  localparam methods_t SurfaceMethods = 10'b0000000111;
 
   // The build has several methods and the frame names this one, or has only this one.
   function automatic logic is_method(methods_t built, method_e frame, method_e method);

@@ -20,7 +20,8 @@ constexpr const char* kMethodText[] = {
     "linear N.L and N.H over the root of a quadratic |N|^2 (Duff): phong without vectors",
     "spherical normal, paper 000 (7) as a scaled difference recurrence, lit at every pixel",
     "spherical normal, paper 000 (7); (9) to (11), corrected, with four lanes",
-    "spherical N.L and N.H, paper 000 (14), as slerp: no vectors per pixel"};
+    "spherical N.L and N.H, paper 000 (14), as slerp: no vectors per pixel",
+    "spherical normal, paper 000 (6): sine and cosine of every pixel by a CORDIC"};
 
 void PrintTables() {
   fmt::print("Methods\n");

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "model/normal/normal_shader.h"
 #include "model/raster/front_end.h"
 #include "tb/rtl_shading_unit.h"
 #include "tb/scoreboard/mismatch_report.h"
@@ -34,8 +36,9 @@ std::vector<Flow> Flows() {
           {"recorded", FlowPattern::Recorded("1110001"), FlowPattern::Recorded("00000000001111")}};
 }
 
-tb::Verdicts Compare(tb::RtlShadingUnit* rtl, const FrameWork& work, const Flow& flow) {
-  tb::Scoreboard scoreboard(work, 1, flow.source, flow.sink);
+tb::Verdicts Compare(tb::RtlShadingUnit* rtl, const FrameWork& work, const Flow& flow,
+                     int lanes = 1) {
+  tb::Scoreboard scoreboard(work, lanes, flow.source, flow.sink);
   const tb::RtlResult result = rtl->Run(work, flow.source, flow.sink, &scoreboard, {});
   return scoreboard.Finish(result);
 }
@@ -47,27 +50,51 @@ void ExpectGood(const tb::Verdicts& v, const std::string& where) {
                         << v.cycle_mismatches << " in other cycles; counters " << v.counters_match;
 }
 
-class ShadingUnitMethod : public testing::TestWithParam<Method> {};
-
-TEST_P(ShadingUnitMethod, RtlMatchesModel) {
-  const auto smallest = tb::RtlShadingUnit::Create(GetParam());
-  int64_t pixels = 0;
-  for (const Flow& flow : Flows()) {
-    for (uint32_t seed = 1; seed <= kFrames; ++seed) {
-      const FrameWork work = FrontEnd::Run(tb::RandomTriangles(seed, kTriangles), GetParam());
-      const tb::Verdicts verdicts = Compare(smallest.get(), work, flow);
-      ExpectGood(verdicts, std::string(flow.name) + ", seed " + std::to_string(seed));
-      pixels += verdicts.pixels_compared;
-    }
-  }
-  EXPECT_GT(pixels, 1000000);
+// Both kinds of light, so that Phong's R.V is met.
+TriangleList Triangles(uint32_t seed) {
+  TriangleList list = tb::RandomTriangles(seed, kTriangles);
+  if (seed % 2 == 0) list.frame.lighting = Lighting::kPhong;
+  return list;
 }
 
+// slerp_direct_setup stands behind normal_setup.
+int ArcLatency(Method method) {
+  return method == Method::kSlerpDirect ? SlerpDirectSetup::kContract.latency_cycles : 0;
+}
+
+class ShadingUnitMethod : public testing::TestWithParam<Method> {
+ protected:
+  void ExpectSame(tb::RtlShadingUnit* rtl, int lanes, uint32_t frames, int64_t least_pixels) {
+    int64_t pixels = 0;
+    for (const Flow& flow : Flows()) {
+      for (uint32_t seed = 1; seed <= frames; ++seed) {
+        const FrameWork work = FrontEnd::Run(Triangles(seed), GetParam());
+        const tb::Verdicts verdicts = Compare(rtl, work, flow, lanes);
+        ExpectGood(verdicts, std::string(flow.name) + ", seed " + std::to_string(seed));
+        pixels += verdicts.pixels_compared;
+      }
+    }
+    EXPECT_GT(pixels, least_pixels);
+  }
+};
+
+TEST_P(ShadingUnitMethod, RtlMatchesModel) {
+  const bool lit = InterpolatesNormals(GetParam());
+  ExpectSame(tb::RtlShadingUnit::Create(GetParam()).get(), 1, lit ? 4 : kFrames,
+             lit ? 300000 : 1000000);
+}
+
+TEST_P(ShadingUnitMethod, FourLanesMatchModel) {
+  ExpectSame(tb::RtlShadingUnit::CreateAll(kMaxLanes).get(), kMaxLanes, 2, 150000);
+}
+
+// Each span is its own triangle, so that triangle hand-over is in the path.
 TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansAsLongAsTheirSetup) {
-  // Each span is its own triangle, so that triangle hand-over is in the path.
-  const int length = SpanSetup::Steps(GetParam());
+  const bool lit = InterpolatesNormals(GetParam());
+  const int length = lit ? NormalSetup::kSteps : SpanSetup::Steps(GetParam());
   FrameWork work;
   work.method = GetParam();
+  work.materials.emplace_back();
   for (int k = 0; k < 100; ++k) {
     work.triangles.emplace_back();
     work.packet.push_back(static_cast<uint32_t>(k));
@@ -80,20 +107,29 @@ TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansAsLongAsTheirSetup) {
   const tb::RtlResult result = rtl->Run(work, flow.source, flow.sink, &scoreboard, {});
   ExpectGood(scoreboard.Finish(result), "short spans");
   // The spans follow each other; what remains is the latency of the first one.
-  EXPECT_EQ(result.counters.setup, SpanSetup::Steps(GetParam()) + 2);
+  const int latency = lit ? NormalSetup::Latency(1) + ArcLatency(GetParam()) + CosineLatency(GetParam()) +
+                                PixelLight::kContract.latency_cycles +
+                                PixelQueue::kContract.latency_cycles
+                          : SpanSetup::Steps(GetParam()) + 2;
+  EXPECT_EQ(result.counters.setup, latency);
   EXPECT_EQ(result.cycles, work.pixels + result.counters.setup + 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShadingUnitMethod, testing::ValuesIn(kAllMethods),
-                         [](const auto& test) { return std::string(Name(test.param)); });
+                         [](const auto& test) {
+                           std::string name(Name(test.param));
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 // Frame after frame through one instance, so that the methods change without a reset.
 TEST(ShadingUnit, BuildWithAllMethodsChangesMethodBetweenFrames) {
   const auto all = tb::RtlShadingUnit::CreateAll();
   uint32_t seed = 70;
   for (const Flow& flow : Flows()) {
-    for (const Method method : {Method::kQuad, Method::kFlat, Method::kGouraud, Method::kQuad}) {
-      const FrameWork work = FrontEnd::Run(tb::RandomTriangles(++seed, kTriangles), method);
+    for (const Method method : {Method::kQuad, Method::kSlerp, Method::kPhongDuff, Method::kGouraud,
+                                Method::kSlerpIntensity, Method::kPhong, Method::kFlat}) {
+      const FrameWork work = FrontEnd::Run(Triangles(++seed), method);
       ExpectGood(Compare(all.get(), work, flow), flow.name);
     }
   }
