@@ -21,6 +21,8 @@
 #include "model/normal/normal_setup.h"
 #include "model/normal/phong_direct.h"
 #include "model/normal/reciprocal_sqrt.h"
+#include "model/normal/slerp_direct.h"
+#include "model/normal/slerp_direct_setup.h"
 #include "model/normal/slerp_paper.h"
 #include "model/normal/slerp_recurrence.h"
 #include "model/normal/span_normals.h"
@@ -57,6 +59,8 @@ inline constexpr std::array kContracts = {
     SlerpRecurrence::kContract,
     SlerpPaper::kContract,
     LengthRecurrence::kContract,
+    SlerpDirectSetup::kContract,
+    SlerpDirect::kContract,
     ReciprocalSqrt::kContract,
     PhongDirect::kContract,
     TaylorNormalizer::kContract,

@@ -51,10 +51,9 @@ void ShadeSpan(const SpanSeed& seed, Pixel* pixels) {
 
 }  // namespace
 
-template <typename Shader, int kLanes>
-void ShadingUnit::LightSpan(Pixel* pixels) {
+template <int kLanes, typename Shader>
+void ShadingUnit::LightSpan(Shader shader, Pixel* pixels) {
   PixelWalker walker(seed_);
-  Shader shader(seed_.normal);
   int64_t unlit = 0, no_highlight = 0;
   const int length = seed_.length;
   for (int i = 0; i < length; i += kLanes, shader.Step()) {
@@ -82,15 +81,18 @@ void ShadingUnit::ShadeNormals(const SpanCommand& span, Pixel* pixels) {
   seed_.dz_dx = triangle_->dz_dx;
   seed_.material = triangle_->material;
   NormalSetup::Seed(SetupKindOf(work_.method), work_.light, span, kLanes, &seed_.normal);
+  const NormalSeed& seed = seed_.normal;
   switch (work_.method) {
-    case Method::kPhong: return LightSpan<LinearShader<PhongDirect, kLanes>, kLanes>(pixels);
+    case Method::kPhong: return LightSpan<kLanes>(LinearShader<PhongDirect, kLanes>(seed), pixels);
     case Method::kPhongTaylor:
-      return LightSpan<LinearShader<TaylorNormalizer, kLanes>, kLanes>(pixels);
-    case Method::kPhongDuff: return LightSpan<DuffShader<kLanes>, kLanes>(pixels);
-    case Method::kSlerp: return LightSpan<SlerpShader<kLanes>, kLanes>(pixels);
-    case Method::kSlerpPaper: return LightSpan<SlerpPaperShader<kLanes>, kLanes>(pixels);
-    case Method::kSlerpDirect: return LightSpan<SlerpDirectShader<kLanes>, kLanes>(pixels);
-    case Method::kSlerpIntensity: return LightSpan<SlerpIntensityShader<kLanes>, kLanes>(pixels);
+      return LightSpan<kLanes>(LinearShader<TaylorNormalizer, kLanes>(seed), pixels);
+    case Method::kPhongDuff: return LightSpan<kLanes>(DuffShader<kLanes>(seed), pixels);
+    case Method::kSlerp: return LightSpan<kLanes>(SlerpShader<kLanes>(seed), pixels);
+    case Method::kSlerpPaper:
+      return LightSpan<kLanes>(SlerpPaperShader<kLanes>(seed, paper_fraction_bits_), pixels);
+    case Method::kSlerpDirect: return LightSpan<kLanes>(SlerpDirectShader<kLanes>(seed), pixels);
+    case Method::kSlerpIntensity:
+      return LightSpan<kLanes>(SlerpIntensityShader<kLanes>(seed), pixels);
     default: return;
   }
 }

@@ -40,8 +40,10 @@ class ShadingUnit {
 
   // lanes: pixels per cycle, 1 or 4. `work` gives method, light and materials and must outlive
   // this.
-  ShadingUnit(const FrameWork& work, int lanes, FlowPattern source, FlowPattern sink)
+  ShadingUnit(const FrameWork& work, int lanes, FlowPattern source, FlowPattern sink,
+              int paper_fraction_bits = Quantity::kFraction)
       : work_(work),
+        paper_fraction_bits_(paper_fraction_bits),
         clock_(work.method, lanes, std::move(source), std::move(sink)),
         light_(work.light) {}
 
@@ -70,10 +72,11 @@ class ShadingUnit {
  private:
   template <int kLanes>
   void ShadeNormals(const SpanCommand& span, Pixel* pixels);
-  template <typename Shader, int kLanes>
-  void LightSpan(Pixel* pixels);
+  template <int kLanes, typename Shader>
+  void LightSpan(Shader shader, Pixel* pixels);
 
   const FrameWork& work_;
+  int paper_fraction_bits_;
   ShadingClock clock_;
   PixelLight light_;
   const TriangleState* triangle_ = nullptr;

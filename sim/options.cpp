@@ -89,6 +89,11 @@ void AddRender(CLI::App* app, Options* o, Words* w) {
   render->add_option("--engine", w->engine, "who computes the pixels")
       ->check(CLI::IsMember({"model", "rtl", "ideal"}))
       ->capture_default_str();
+  render->add_option("--error-map", o->error_map,
+                     "picture of the error against Phong per pixel: white is 16 LSB and more");
+  render
+      ->add_option("--fraction-bits", o->fraction_bits, "of slerp-paper; below 38: --engine model")
+      ->check(CLI::Range(8, Quantity::kFraction));
   AddRunOptions(render, o);
 }
 
@@ -171,9 +176,13 @@ void Check(const Options& o) {
     Refuse(fmt::format("--trace writes .fst files, not '{}'", o.trace));
   }
   if (!o.trace.empty() && o.engine != Engine::kRtl) Refuse("--trace needs --engine rtl");
+  if (o.fraction_bits != Quantity::kFraction && o.engine != Engine::kModel) {
+    Refuse("--fraction-bits: the RTL is built with 38, so take --engine model");
+  }
+  if (!o.error_map.empty() && !one_run) Refuse("--error-map takes one SCENE and one --method");
   if (!o.triangles_out.empty() && o.scenes.size() != 1) Refuse("--triangles-out takes one SCENE");
   std::vector<std::string> files = o.scenes;
-  for (const std::string& out : {o.image, o.json, o.csv, o.trace, o.triangles_out}) {
+  for (const std::string& out : {o.image, o.error_map, o.json, o.csv, o.trace, o.triangles_out}) {
     if (out.empty()) continue;
     if (std::find(files.begin(), files.end(), out) != files.end()) {
       Refuse(fmt::format("{} would be overwritten: give each file its own name", out));

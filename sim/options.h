@@ -21,6 +21,7 @@ struct Options {
   std::vector<Method> methods;
   Engine engine = Engine::kRtl;
   int lanes = 1;  // pixels per cycle
+  int fraction_bits = Quantity::kFraction;  // of slerp-paper
   ViewOptions view;
   bool view_given = false;  // an option that a packet file decides by itself
   std::string backpressure = "none";
@@ -28,7 +29,7 @@ struct Options {
   int64_t random = 0;  // triangles of verify --random
   int jobs = 1;
   bool quiet = false;
-  std::string image, trace, json, csv, triangles_out;
+  std::string image, error_map, trace, json, csv, triangles_out;
 
   bool OneMethod() const { return methods.size() == 1; }
   // In which cycles pixels are taken.

@@ -87,6 +87,21 @@ PictureError ErrorAgainstClosedForm(const FrameBuffer& picture, const TriangleLi
   return sum.Result();
 }
 
+Image ErrorMap(const FrameBuffer& picture, const TriangleList& list) {
+  Image map = picture.ToImage();
+  ForEachPixel<ideal::Phong>(picture, list, [&](size_t at, const ideal::Rgb& exact) {
+    double error = 0;
+    for (size_t ch = 0; ch < exact.size(); ++ch) {
+      error = std::max(error, std::abs(picture.code(at)[ch] - exact[ch]));
+    }
+    const auto ramp = [error](double from, double to) {
+      return static_cast<uint8_t>(std::lround(255 * std::clamp((error - from) / (to - from), 0., 1.)));
+    };
+    map.code[at] = {ramp(0, 4), ramp(4, 8), ramp(8, 16)};
+  });
+  return map;
+}
+
 void ShadeIdeally(const TriangleList& list, Method method, FrameBuffer* picture) {
   ForEachPixel(*picture, list, method, [&](size_t at, const ideal::Rgb& exact) {
     std::array<uint8_t, 3> code;

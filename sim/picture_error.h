@@ -22,6 +22,10 @@ PictureError ErrorAgainstPhong(const FrameBuffer& picture, const TriangleList& l
 PictureError ErrorAgainstClosedForm(const FrameBuffer& picture, const TriangleList& list,
                                     Method method);
 
+// The largest error of a pixel's channels against Phong per pixel, rounding included: black 0, red
+// 4, yellow 8, white 16 LSB and more.
+Image ErrorMap(const FrameBuffer& picture, const TriangleList& list);
+
 // Replaces the codes of covered pixels by those of the method's closed form.
 void ShadeIdeally(const TriangleList& list, Method method, FrameBuffer* picture);
 

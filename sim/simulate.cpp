@@ -50,10 +50,10 @@ void Describe(const Frame& frame, const FrameWork& work, const char* engine, Run
   stats->AddWork(work, static_cast<int64_t>(frame.list.triangles.size()));
 }
 
-RunStats RunModel(const FrameWork& work, int lanes, const FlowPattern& sink,
-                  tb::PixelConsumer* consumer) {
+RunStats RunModel(const FrameWork& work, const Options& options, tb::PixelConsumer* consumer) {
   const Stopwatch watch;
-  ShadingUnit model(work, lanes, FlowPattern::Always(), sink);
+  ShadingUnit model(work, options.lanes, FlowPattern::Always(), options.Sink(),
+                    options.fraction_bits);
   std::vector<Pixel> pixels(kMaxScreen);
   std::vector<TimedPixel> timed(kMaxScreen);
   RunStats stats;

@@ -22,8 +22,7 @@ Frame LoadFrame(const std::string& scene, const Options& options);
 std::vector<Frame> LoadFrames(const Options& options);
 
 // Runs the model without the RTL.
-RunStats RunModel(const FrameWork& work, int lanes, const FlowPattern& sink,
-                  tb::PixelConsumer* consumer);
+RunStats RunModel(const FrameWork& work, const Options& options, tb::PixelConsumer* consumer);
 
 // Runs the RTL alone. Throws std::runtime_error when it does not finish.
 RunStats RunRtl(const FrameWork& work, int lanes, const FlowPattern& sink, const std::string& trace,

@@ -20,7 +20,7 @@ RunStats Simulate(const FrameWork& work, const Options& options, FrameBuffer* pi
   if (options.engine == Engine::kRtl) {
     return RunRtl(work, options.lanes, options.Sink(), options.trace, &consumer);
   }
-  return RunModel(work, options.lanes, options.Sink(), &consumer);
+  return RunModel(work, options, &consumer);
 }
 
 RunStats RenderOne(const Frame& frame, Method method, const Options& options,
@@ -38,6 +38,7 @@ RunStats RenderOne(const Frame& frame, Method method, const Options& options,
   stats.phong_error = ErrorAgainstPhong(picture, frame.list);
   stats.closed_form_error = ErrorAgainstClosedForm(picture, frame.list, method);
   WriteImage(path, picture.ToImage());
+  if (!options.error_map.empty()) WriteImage(options.error_map, ErrorMap(picture, frame.list));
   return stats;
 }
 
@@ -59,6 +60,7 @@ std::string PictureName(const Options& options, size_t scene, Method method) {
 
 int Render(const Options& options) {
   CheckImageExtension(options.image);
+  if (!options.error_map.empty()) CheckImageExtension(options.error_map);
   const std::vector<Frame> frames = LoadFrames(options);
   const size_t methods = options.methods.size();
   std::vector<RunStats> runs(frames.size() * methods);

@@ -223,7 +223,7 @@ void AccuracyTables::Print() {
   PrintOverview();
   PrintFull(Method::kSlerp);
   PrintFull(Method::kSlerpIntensity);
-  for (const Method method : {Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff}) {
+  for (const Method method : {Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff, Method::kSlerpDirect}) {
     PrintByAngleAndLength(method, Quantity::kFraction);
   }
   for (const int bits : kFractionBits) PrintByAngleAndLength(Method::kSlerpPaper, bits);

@@ -34,6 +34,7 @@ void RunMethod(const Configuration& configuration, const LightState& light, cons
     case Method::kSlerp: return run(SlerpShader<kLanes>(seed));
     case Method::kSlerpPaper:
       return run(SlerpPaperShader<kLanes>(seed, configuration.fraction_bits));
+    case Method::kSlerpDirect: return run(SlerpDirectShader<kLanes>(seed));
     case Method::kSlerpIntensity: return run(SlerpIntensityShader<kLanes>(seed));
     default: assert(false && "one of kStudiedMethods");
   }

@@ -9,9 +9,9 @@
 
 namespace shading::accuracy {
 
-inline constexpr std::array<Method, 6> kStudiedMethods = {
-    Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff,
-    Method::kSlerp, Method::kSlerpPaper,  Method::kSlerpIntensity};
+inline constexpr std::array<Method, 7> kStudiedMethods = {
+    Method::kPhong,      Method::kPhongTaylor,    Method::kPhongDuff,  Method::kSlerp,
+    Method::kSlerpPaper, Method::kSlerpIntensity, Method::kSlerpDirect};
 
 // A method of normal interpolation as it is built.
 struct Configuration {

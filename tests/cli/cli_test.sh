@@ -59,6 +59,12 @@ refuse 'cull' verify builtin:sphere --cull 9
 refuse 'fst' verify builtin:sphere --trace wave.gtkw
 refuse 'backpressure' verify builtin:sphere --backpressure .
 refuse 'lanes' verify builtin:sphere --lanes 3
+refuse 'fraction-bits' render builtin:sphere -o a.png --method slerp-paper --fraction-bits 16
+refuse 'fraction-bits' render builtin:sphere -o a.png --engine model --fraction-bits 39
+refuse 'error-map' render builtin:sphere -o a.png --method all --error-map b.png
+refuse 'own name' render builtin:sphere -o a.png --error-map a.png
+refuse 'no-such-folder' render builtin:triangle -o a.png --error-map no-such-folder/b.png
+rm -f a.png
 refuse 'backpressure' verify builtin:sphere --backpressure 000
 refuse 'backpressure' verify builtin:sphere --backpressure sometimes
 refuse 'teapot' verify builtin:teapot
@@ -88,13 +94,26 @@ for engine in rtl model ideal; do
 done
 check 'RTL and model draw the same picture' cmp rtl.png model.png
 accept render builtin:torus:8 builtin:saddle:4 --method all --size 80x60 -o many.png
-check 'one picture per scene and method' test "$(find . -name 'many-*.png' | wc -l)" -eq 6
+check 'one picture per scene and method' test "$(find . -name 'many-*.png' | wc -l)" -eq 20
 accept render builtin:sphere:6 --size 40x30 -o a.exr --camera persp --lighting phong --cull none
 accept verify builtin:sphere:6 --size 64x48 --method all --backpressure random --json v.json
 has_keys v.json method cycles cycles_per_pixel setup_cycles stall_cycles skipped pixels_compared \
   pixel_mismatches spans_compared cycle_mismatches
 accept verify builtin:sphere:6 --size 64x48 --backpressure 0010111 --rotate 30,20 --light 1,1,1
 accept verify --random 600 --method all --seed 9
+accept verify --random 600 --method all --seed 9 --lanes 4 --backpressure random --json four.json
+check 'four lanes are told' grep -q '"lanes": 4' four.json
+accept verify builtin:sphere:6 --size 64x48 --method slerp-intensity --lighting phong --lanes 4
+for method in phong slerp-intensity; do
+  for engine in rtl model; do
+    accept render builtin:torus:8 --method $method --lanes 4 --engine $engine --size 80x60 \
+      -o $method-$engine.png
+  done
+  check "RTL and model draw the same $method" cmp $method-rtl.png $method-model.png
+done
+accept render builtin:sphere:6 --size 64x48 --method slerp-paper --engine model --fraction-bits 12 \
+  -o coarse.png --error-map coarse-error.png
+check 'an error map was written' test -s coarse-error.png
 echo '0 1 1 0 0 0 1' >pattern.txt
 accept verify builtin:saddle:3 --size 64x48 --backpressure pattern.txt
 accept verify builtin:saddle:3 --size 64x48 --trace wave.fst
@@ -121,7 +140,7 @@ refuse 'own size' render mixed.jsonl -o a.png --size 10x10
 
 "$shadesim" list >list.txt
 check 'list succeeds' test $? -eq 0
-for word in flat gouraud quad span_setup quad_surface saddle; do
+for word in flat gouraud quad phong-duff slerp-paper span_setup quad_surface saddle; do
   check "list names $word" grep -q "$word" list.txt
 done
 for command in '' render verify cycles list; do

@@ -3,8 +3,8 @@
 # Usage: tests/faults/run.sh [PATTERN]      only faults whose name matches
 #
 # Faults in rtl/ must be stopped by lint or make `shadesim verify` exit with 1, without or with
-# back-pressure. Faults in model/ change RTL and model alike, so the unit tests of the front end must
-# catch them. Works on a copy in build/faults, a debug build: about 20 s a fault.
+# back-pressure, with one lane or four. Faults in model/ change RTL and model alike, so the unit tests of the front end must
+# catch them. Works on a copy in build/faults, a debug build: one to three minutes a fault.
 set -uo pipefail
 CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." || exit 2
 readonly copy=build/faults/source tree=build/faults/build log=build/faults/log
@@ -15,15 +15,15 @@ mkdir -p "$copy"
 git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$copy" || exit 2
 build() { cmake --build "$tree" --target "$@" >"$log" 2>&1 </dev/null; }
 
-# verify FLOW: the exit status of shadesim verify, 124 when it does not end.
+# verify FLOW LANES: the exit status of shadesim verify, 124 when it does not end.
 verify() {
-  (cd build/faults && timeout 120 build/bin/shadesim verify --random 1500 --method all \
-    --backpressure "$1" --json verdict.json >verify.log 2>&1 </dev/null)
+  (cd build/faults && timeout 300 build/bin/shadesim verify --random 1000 --method all \
+    --backpressure "$1" --lanes "$2" --json verdict.json >verify.log 2>&1 </dev/null)
 }
 
 # The sound design must build and pass, or nothing below would mean anything.
 cmake -S "$copy" -B "$tree" -G Ninja -DCMAKE_BUILD_TYPE=Debug >"$log" 2>&1 &&
-  build shadesim span_walker_test triangle_setup_test && verify none && verify random || {
+  build shadesim span_walker_test triangle_setup_test && verify none 1 && verify random 1 && verify none 4 || {
   echo "The design without a fault does not build or pass; see $log" >&2
   exit 2
 }
@@ -35,10 +35,12 @@ catch_in_rtl() {
     grep -m1 -oE '%Warning-[A-Z]+' "$log" | sed 's/%Warning-/lint: /'
     return
   fi
-  local flow
-  for flow in none random; do
-    verify $flow
-    (($? == 1)) && { echo "verify, back-pressure $flow: $(summary)"; return; }
+  local flow lanes
+  for lanes in 1 4; do
+    for flow in none random; do
+      verify $flow $lanes
+      (($? == 1)) && { echo "verify, back-pressure $flow, lanes $lanes: $(summary)"; return; }
+    done
   done
 }
 
