@@ -41,10 +41,12 @@ std::vector<Frame> LoadFrames(const Options& options) {
   return frames;
 }
 
-void Describe(const Frame& frame, const FrameWork& work, const char* engine, RunStats* stats) {
+void Describe(const Frame& frame, const FrameWork& work, int lanes, const char* engine,
+              RunStats* stats) {
   stats->scene = frame.scene;
   stats->method = Name(work.method);
   stats->engine = engine;
+  stats->lanes = lanes;
   stats->width = frame.list.frame.width;
   stats->height = frame.list.frame.height;
   stats->AddWork(work, static_cast<int64_t>(frame.list.triangles.size()));

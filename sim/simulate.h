@@ -38,6 +38,7 @@ Checked RunChecked(const FrameWork& work, int lanes, const FlowPattern& source,
                    const FlowPattern& sink, const std::string& trace, bool record_spans);
 
 // Scene, method, engine, size and what the front end counted.
-void Describe(const Frame& frame, const FrameWork& work, const char* engine, RunStats* stats);
+void Describe(const Frame& frame, const FrameWork& work, int lanes, const char* engine,
+              RunStats* stats);
 
 }  // namespace shading::sim

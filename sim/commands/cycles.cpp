@@ -103,7 +103,7 @@ int Cycles(const Options& options) {
     CyclesRun& run = runs[at];
     run.work = FrontEnd::Run(frame.list, options.methods[at % options.methods.size()]);
     run.checked = RunChecked(run.work, options.lanes, source, sink, options.trace, true);
-    Describe(frame, run.work, "rtl", &run.checked.stats);
+    Describe(frame, run.work, options.lanes, "rtl", &run.checked.stats);
     progress.Step();
   });
 

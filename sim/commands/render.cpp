@@ -34,7 +34,7 @@ RunStats RenderOne(const Frame& frame, Method method, const Options& options,
     ShadeIdeally(frame.list, method, &picture);
     stats.sim_seconds = watch.Seconds();
   }
-  Describe(frame, work, kEngineName[static_cast<int>(options.engine)], &stats);
+  Describe(frame, work, options.lanes, kEngineName[static_cast<int>(options.engine)], &stats);
   stats.phong_error = ErrorAgainstPhong(picture, frame.list);
   stats.closed_form_error = ErrorAgainstClosedForm(picture, frame.list, method);
   WriteImage(path, picture.ToImage());

@@ -92,7 +92,7 @@ class Verifier {
                                    : FlowPattern::Always();
     const FlowPattern sink = options_.Sink();
     Checked checked = RunChecked(work, options_.lanes, source, sink, options_.trace, false);
-    Describe(frame, work, "rtl", &checked.stats);
+    Describe(frame, work, options_.lanes, "rtl", &checked.stats);
 
     const std::lock_guard<std::mutex> lock(mutex_);
     RunStats& run = runs_[task.run];
