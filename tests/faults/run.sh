@@ -17,7 +17,7 @@ build() { cmake --build "$tree" --target "$@" >"$log" 2>&1 </dev/null; }
 
 # verify FLOW LANES: the exit status of shadesim verify, 124 when it does not end.
 verify() {
-  (cd build/faults && timeout 300 build/bin/shadesim verify --random 1000 --method all \
+  (cd build/faults && timeout 300 build/bin/shadesim verify --random 400 --method all \
     --backpressure "$1" --lanes "$2" --json verdict.json >verify.log 2>&1 </dev/null)
 }
 
