@@ -3,9 +3,7 @@
 // Shading unit: triangles and their spans in, shaded pixels out, Lanes per cycle.
 //
 //   triangle, span -> span_setup -> pixel_walker + surface_shader -> pixel
-//   triangle, span -> span_binder -> normal_setup (-> slerp_direct_setup)
-//                                     -> pixel_walker + normal_shader
-//                                     -> pixel_light -> pixel_queue -> pixel
+//   triangle, span -> normal_seeds -> pixel_walker + lit_pixels -> pixel
 //
 // Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
 // Timing    Lanes pixels per cycle. Set-up overlaps the previous spans: no bubble between spans of 5
@@ -98,85 +96,30 @@ module shading_unit
   kappa_t                                     kappa;
   kappa_t [1:0]                               step_kappa;
   arc_t                                       arc;      // slerp-direct
-  logic                                       is_direct;
-  assign is_direct = is_normal && is_method(Methods, frame_q.method, MethodSlerpDirect);
 
-  if (HasNormal) begin : gen_normal_setup
-    logic                               run_valid, run_ready, binder_busy;
-    lit_run_t                           run;
-    span_normal_t [1:0][Components-1:0] normal;
-    setup_kind_t                        kind;
-    logic                               recurrence_valid, recurrence_busy, direct_valid;
-    logic                               direct_ready, direct_busy;
-    lit_run_t                           recurrence_run, direct_run;
-    assign kind = '{
-      spherical: frame_q.method inside {MethodSlerp, MethodSlerpPaper, MethodSlerpIntensity,
-                                        MethodSlerpDirect},
-      cosines:   frame_q.method inside {MethodPhongDuff, MethodSlerpIntensity},
-      length:    frame_q.method == MethodPhongDuff};
-    assign normal_busy = binder_busy || normal_inside;
-
-    span_binder u_span_binder (
+  if (HasNormal) begin : gen_normal_seeds
+    normal_seeds #(.Methods(Methods & ~SurfaceMethods), .Lanes(Lanes)) u_normal_seeds (
       .clk_i, .rst_ni,
+      .method_i        (frame_q.method),
+      .light_i         (frame_q.light),
       .triangle_valid_i(triangle_valid_i && triangle_gate && is_normal),
       .triangle_ready_o(normal_triangle_ready),
       .triangle_i,
       .span_valid_i    (span_valid_i && is_normal),
       .span_ready_o    (normal_span_ready),
       .span_i,
-      .run_valid_o     (run_valid),
-      .run_ready_i     (run_ready),
-      .run_o           (run),
-      .normal_o        (normal),
-      .busy_o          (binder_busy)
+      .seed_valid_o    (normal_valid),
+      .seed_ready_i    (seed_ready && is_normal),
+      .run_o           (lit_run),
+      .quantity_o      (quantity),
+      .length_o        (length),
+      .kappa_o         (kappa),
+      .step_kappa_o    (step_kappa),
+      .arc_o           (arc),
+      .span_inside_o   (normal_inside),
+      .busy_o          (normal_busy)
     );
-
-    normal_setup #(.Lanes(Lanes)) u_normal_setup (
-      .clk_i, .rst_ni,
-      .kind_i      (kind),
-      .light_i     (frame_q.light),
-      .span_valid_i(run_valid),
-      .span_ready_o(run_ready),
-      .run_i       (run),
-      .normal_i    (normal),
-      .seed_valid_o(recurrence_valid),
-      .seed_ready_i(is_direct ? direct_ready : seed_ready && is_normal),
-      .run_o       (recurrence_run),
-      .quantity_o  (quantity),
-      .length_o    (length),
-      .kappa_o     (kappa),
-      .step_kappa_o(step_kappa),
-      .busy_o      (recurrence_busy)
-    );
-
-    // Seeds of one pixel's stride, whatever the lanes.
-    if (Methods[MethodSlerpDirect]) begin : gen_direct_setup
-      quantity_seed_t [Components-1:0] step;
-      for (genvar c = 0; c < Components; c++) begin : gen_step
-        assign step[c].first = quantity[c][0].first;
-        if (Lanes == 1) assign step[c].difference = quantity[c][0].difference;
-        else            assign step[c].difference = quantity[c][1].first - quantity[c][0].first;
-      end
-      slerp_direct_setup u_slerp_direct_setup (
-        .clk_i, .rst_ni,
-        .seed_valid_i(recurrence_valid && is_direct),
-        .seed_ready_o(direct_ready),
-        .run_i       (recurrence_run),
-        .quantity_i  (step),
-        .kappa_i     (Lanes == 1 ? kappa : step_kappa[0]),
-        .seed_valid_o(direct_valid),
-        .seed_ready_i(seed_ready),
-        .run_o       (direct_run),
-        .arc_o       (arc),
-        .busy_o      (direct_busy)
-      );
-    end else begin : gen_no_direct_setup
-      assign {direct_ready, direct_run, direct_valid, direct_busy, arc} = '0;
-    end
-    assign normal_valid  = is_direct ? direct_valid : recurrence_valid;
-    assign lit_run       = is_direct ? direct_run : recurrence_run;
-    assign normal_inside = recurrence_busy || direct_busy;
-  end else begin : gen_no_normal_setup
+  end else begin : gen_no_normal_seeds
     assign {normal_triangle_ready, normal_span_ready, normal_valid} = '0;
     assign {normal_busy, normal_inside, lit_run, quantity, length, kappa, step_kappa, arc} = '0;
   end
@@ -223,66 +166,33 @@ module shading_unit
   pixel_t [Lanes-1:0] lit_pixel;
   logic   [Lanes-1:0] lit_mask, unlit, no_highlight;
 
-  if (HasNormal) begin : gen_light
-    logic                            cosines_valid, code_valid;
-    cosines_t [Lanes-1:0]            cosines;
-    code_t [Lanes-1:0][Channels-1:0] code;
-    logic  [Lanes-1:0]               code_unlit, code_no_highlight;
-    material_index_t                 material_q, cosines_material;  // of the run; of the cosines
-
-    always_ff @(posedge clk_i) if (load && is_normal) material_q <= lit_run.material;
-
-    normal_shader #(.Methods(Methods & ~SurfaceMethods), .Lanes(Lanes)) u_normal_shader (
+  if (HasNormal) begin : gen_lit_pixels
+    lit_pixels #(.Methods(Methods & ~SurfaceMethods), .Lanes(Lanes)) u_lit_pixels (
       .clk_i, .rst_ni,
-      .method_i    (frame_q.method),
-      .light_i     (frame_q.light),
-      .load_i      (load && is_normal),
-      .step_i      (step && is_normal),
-      .quantity_i  (quantity),
-      .length_i    (length),
-      .kappa_i     (kappa),
-      .step_kappa_i(step_kappa),
-      .arc_i       (arc),
-      .valid_i     (walker_valid && queue_ready && is_normal),
-      .valid_o     (cosines_valid),
-      .cosines_o   (cosines)
-    );
-
-    pixel_light #(.Lanes(Lanes)) u_pixel_light (
-      .clk_i, .rst_ni,
+      .method_i      (frame_q.method),
       .light_i       (frame_q.light),
       .material_valid_i, .material_index_i, .material_i,
-      .valid_i       (cosines_valid),
-      .index_i       (cosines_material),
-      .cosines_i     (cosines),
-      .valid_o       (code_valid),
-      .code_o        (code),
-      .unlit_o       (code_unlit),
-      .no_highlight_o(code_no_highlight)
-    );
-
-    pixel_queue #(.Lanes(Lanes)) u_pixel_queue (
-      .clk_i, .rst_ni,
-      .enter_valid_i  (walker_valid && is_normal),
-      .enter_ready_o  (queue_ready),
-      .position_i     (position),
-      .mask_i         (mask),
-      .material_i     (material_q),
-      .cosines_valid_i(cosines_valid),
-      .material_o     (cosines_material),
-      .code_valid_i   (code_valid),
-      .code_i         (code),
-      .unlit_i        (code_unlit),
-      .no_highlight_i (code_no_highlight),
-      .pixel_valid_o  (lit_valid),
+      .load_i        (load && is_normal),
+      .step_i        (step && is_normal),
+      .index_i       (lit_run.material),
+      .quantity_i    (quantity),
+      .length_i      (length),
+      .kappa_i       (kappa),
+      .step_kappa_i  (step_kappa),
+      .arc_i         (arc),
+      .enter_valid_i (walker_valid && is_normal),
+      .enter_ready_o (queue_ready),
+      .position_i    (position),
+      .mask_i        (mask),
+      .pixel_valid_o (lit_valid),
       .pixel_ready_i,
-      .pixel_o        (lit_pixel),
-      .mask_o         (lit_mask),
-      .unlit_o        (unlit),
-      .no_highlight_o (no_highlight),
-      .busy_o         (queue_busy)
+      .pixel_o       (lit_pixel),
+      .mask_o        (lit_mask),
+      .unlit_o       (unlit),
+      .no_highlight_o(no_highlight),
+      .busy_o        (queue_busy)
     );
-  end else begin : gen_no_light
+  end else begin : gen_no_lit_pixels
     assign {lit_valid, queue_busy, queue_ready, lit_pixel, lit_mask} = '0;
     assign {unlit, no_highlight} = '0;
   end

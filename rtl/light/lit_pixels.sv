@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pixels of the methods that interpolate normals or cosines, from the walker's positions on.
+//
+//   load, step -> normal_shader -> cosines -> pixel_light -> code -> pixel_queue -> pixel
+//
+// Timing    From a group that enters to its offer: normal_shader + pixel_light + 1 cycles. The light
+//           never stops; pixel_queue admits what it can hold.
+// Streams   ready/valid at the walker's and at the pixels' side.
+// Formats   normal_pkg, light_pkg.
+// Error     That of the units on the way.
+// Model     LightSpan in model/shading_unit.cpp      Doc  docs/units/shading_unit.md
+module lit_pixels
+  import light_pkg::*;
+  import normal_pkg::*;
+  import shading_pkg::*;
+#(
+  parameter methods_t Methods = ~SurfaceMethods,
+  parameter int unsigned Lanes = 1
+) (
+  input  logic            clk_i,
+  input  logic            rst_ni,
+  input  method_e         method_i,        // method and light are stable while busy_o
+  input  light_t          light_i,
+
+  input  logic            material_valid_i,
+  input  material_index_t material_index_i,
+  input  material_t       material_i,
+
+  // A span starts or goes on.
+  input  logic            load_i,
+  input  logic            step_i,
+  input  material_index_t index_i,         // of its material, at load_i
+  input  quantity_seed_t [Components-1:0][Lanes-1:0] quantity_i,
+  input  length_seed_t   [Lanes-1:0]                 length_i,
+  input  kappa_t                                     kappa_i,
+  input  kappa_t [1:0]                               step_kappa_i,
+  input  arc_t                                       arc_i,
+
+  // From the walker.
+  input  logic                  enter_valid_i,
+  output logic                  enter_ready_o,
+  input  position_t [Lanes-1:0] position_i,
+  input  logic      [Lanes-1:0] mask_i,
+
+  output logic               pixel_valid_o,
+  input  logic               pixel_ready_i,
+  output pixel_t [Lanes-1:0] pixel_o,
+  output logic   [Lanes-1:0] mask_o,
+  output logic   [Lanes-1:0] unlit_o,
+  output logic   [Lanes-1:0] no_highlight_o,
+  output logic               busy_o
+);
+  logic                            cosines_valid, code_valid;
+  cosines_t [Lanes-1:0]            cosines;
+  code_t [Lanes-1:0][Channels-1:0] code;
+  logic  [Lanes-1:0]               unlit, no_highlight;
+  material_index_t                 index_q, cosines_index;  // of the span; of the cosines
+
+  always_ff @(posedge clk_i) if (load_i) index_q <= index_i;
+
+  normal_shader #(.Methods(Methods), .Lanes(Lanes)) u_normal_shader (
+    .clk_i, .rst_ni, .method_i, .light_i,
+    .load_i, .step_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i,
+    .valid_i  (enter_valid_i && enter_ready_o),
+    .valid_o  (cosines_valid),
+    .cosines_o(cosines)
+  );
+
+  pixel_light #(.Lanes(Lanes)) u_pixel_light (
+    .clk_i, .rst_ni, .light_i,
+    .material_valid_i, .material_index_i, .material_i,
+    .valid_i       (cosines_valid),
+    .index_i       (cosines_index),
+    .cosines_i     (cosines),
+    .valid_o       (code_valid),
+    .code_o        (code),
+    .unlit_o       (unlit),
+    .no_highlight_o(no_highlight)
+  );
+
+  pixel_queue #(.Lanes(Lanes)) u_pixel_queue (
+    .clk_i, .rst_ni,
+    .enter_valid_i, .enter_ready_o, .position_i, .mask_i,
+    .material_i     (index_q),
+    .cosines_valid_i(cosines_valid),
+    .material_o     (cosines_index),
+    .code_valid_i   (code_valid),
+    .code_i         (code),
+    .unlit_i        (unlit),
+    .no_highlight_i (no_highlight),
+    .pixel_valid_o, .pixel_ready_i, .pixel_o, .mask_o, .unlit_o, .no_highlight_o, .busy_o
+  );
+endmodule
