@@ -8,6 +8,7 @@
 // Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
 // Timing    Lanes pixels per cycle. Set-up overlaps the previous spans: no bubble between spans of 5
 //           pixels or more for intensities, of 8 cycles or more for normals.
+// Error     That of the method's units: 0.42 codes for intensities; see the page.
 // Streams   ready/valid; valid does not wait for ready, a payload holds until taken. A frame is
 //           taken when the unit is empty; while one waits, no further triangle is taken. Materials
 //           are written while the unit is empty.
@@ -241,7 +242,7 @@ module shading_unit
       assert (Methods[frame_i.method]) else $error("shading_unit: method is not in this build");
     end
     if (material_valid_i) begin
-      assert (!queue_busy) else $error("shading_unit: a material changes under its pixels");
+      assert (frame_ready_o) else $error("shading_unit: a material changes while spans are inside");
     end
   end
 `endif

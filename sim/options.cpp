@@ -62,7 +62,7 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
       ->check(CLI::IsMember({1, 4}));
   command
       ->add_option("--tolerance", w->tolerance,
-                   "LSB that an adaptive method may spend; no method so far spends any")
+                   "LSB that an adaptive method may spend; no method spends any")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--triangles-out", o->triangles_out, "write the packets, .jsonl");
 }
@@ -176,8 +176,9 @@ void Check(const Options& o) {
     Refuse(fmt::format("--trace writes .fst files, not '{}'", o.trace));
   }
   if (!o.trace.empty() && o.engine != Engine::kRtl) Refuse("--trace needs --engine rtl");
-  if (o.fraction_bits != Quantity::kFraction && o.engine != Engine::kModel) {
-    Refuse("--fraction-bits: the RTL is built with 38, so take --engine model");
+  const bool paper = o.OneMethod() && o.methods[0] == Method::kSlerpPaper;
+  if (o.fraction_bits != Quantity::kFraction && !(paper && o.engine == Engine::kModel)) {
+    Refuse("--fraction-bits below 38 takes --method slerp-paper and --engine model");
   }
   if (!o.error_map.empty() && !one_run) Refuse("--error-map takes one SCENE and one --method");
   if (!o.triangles_out.empty() && o.scenes.size() != 1) Refuse("--triangles-out takes one SCENE");

@@ -50,9 +50,9 @@ Json ToJson(const RunStats& run) {
   json["skipped"] = {{"back_facing", run.skipped.back_facing},
                      {"degenerate", run.skipped.degenerate},
                      {"off_screen", run.skipped.off_screen},
-                     {"empty", run.skipped.empty},
-                     {"unlit", run.counters.unlit},
-                     {"no_highlight", run.counters.no_highlight}};
+                     {"empty", run.skipped.empty}};
+  json["unlit"] = run.counters.unlit;
+  json["no_highlight"] = run.counters.no_highlight;
   json["split_spans"] = run.split_spans;
   json["lanes"] = run.lanes;
   if (run.comparison) {

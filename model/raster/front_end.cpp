@@ -2,6 +2,7 @@
 #include "model/raster/front_end.h"
 
 #include <stdexcept>
+#include <string>
 
 #include "model/light/mean_cosines.h"
 #include "model/normal/span_normals.h"
@@ -67,7 +68,8 @@ FrameWork FrontEnd::Begin() const {
   if (!InterpolatesNormals(method_)) return work;
   if (frame_.materials.size() > kMaxMaterials) {
     throw std::length_error("the scene has " + std::to_string(frame_.materials.size()) +
-                            " materials; methods that light every pixel hold 256");
+                            " materials; methods that light every pixel hold " +
+                            std::to_string(kMaxMaterials));
   }
   work.light = LightOf(frame_);
   work.materials = frame_.materials;

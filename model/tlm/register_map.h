@@ -66,7 +66,7 @@ inline constexpr std::array kRegisterMap = {
              "1: less; the earlier pixel wins a tie"},
     Register{"DEPTH_BASE", 0x068, 2, Access::kReadWrite, 0, "as COLOR_BASE, with DEPTH_TEST"},
     Register{"DEPTH_STRIDE", 0x070, 1, Access::kReadWrite, 0, "as COLOR_STRIDE, with DEPTH_TEST"},
-    Register{"PIXELS", 0x080, 2, Access::kRead, 0, "cycles in which a pixel left the core"},
+    Register{"PIXELS", 0x080, 2, Access::kRead, 0, "pixels that left the core"},
     Register{"STALL", 0x088, 2, Access::kRead, 0, "cycles in which a pixel was not taken"},
     Register{"SETUP", 0x090, 2, Access::kRead, 0, "cycles with a span inside but no pixel"},
     Register{"CYCLES", 0x098, 2, Access::kRead, 0, "frame accepted to core empty"},

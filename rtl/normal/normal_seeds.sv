@@ -59,10 +59,13 @@ module normal_seeds
 
   setup_kind_t kind;
   assign kind = '{
-    spherical: method_i inside {MethodSlerp, MethodSlerpPaper, MethodSlerpIntensity,
-                                MethodSlerpDirect},
-    cosines:   method_i inside {MethodPhongDuff, MethodSlerpIntensity},
-    length:    method_i == MethodPhongDuff};
+    spherical: is_method(Methods, method_i, MethodSlerp) ||
+               is_method(Methods, method_i, MethodSlerpPaper) ||
+               is_method(Methods, method_i, MethodSlerpIntensity) ||
+               is_method(Methods, method_i, MethodSlerpDirect),
+    cosines:   is_method(Methods, method_i, MethodPhongDuff) ||
+               is_method(Methods, method_i, MethodSlerpIntensity),
+    length:    is_method(Methods, method_i, MethodPhongDuff)};
 
   logic     is_direct, recurrence_valid, recurrence_busy, direct_valid, direct_ready, direct_busy;
   lit_run_t recurrence_run, direct_run;

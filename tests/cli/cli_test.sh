@@ -61,6 +61,7 @@ refuse 'backpressure' verify builtin:sphere --backpressure .
 refuse 'lanes' verify builtin:sphere --lanes 3
 refuse 'fraction-bits' render builtin:sphere -o a.png --method slerp-paper --fraction-bits 16
 refuse 'fraction-bits' render builtin:sphere -o a.png --engine model --fraction-bits 39
+refuse 'slerp-paper' render builtin:sphere -o a.png --engine model --fraction-bits 16
 refuse 'error-map' render builtin:sphere -o a.png --method all --error-map b.png
 refuse 'own name' render builtin:sphere -o a.png --error-map a.png
 refuse 'no-such-folder' render builtin:triangle -o a.png --error-map no-such-folder/b.png

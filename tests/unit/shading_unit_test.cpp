@@ -124,13 +124,16 @@ INSTANTIATE_TEST_SUITE_P(All, ShadingUnitMethod, testing::ValuesIn(kAllMethods),
 
 // Frame after frame through one instance, so that the methods change without a reset.
 TEST(ShadingUnit, BuildWithAllMethodsChangesMethodBetweenFrames) {
-  const auto all = tb::RtlShadingUnit::CreateAll();
   uint32_t seed = 70;
-  for (const Flow& flow : Flows()) {
-    for (const Method method : {Method::kQuad, Method::kSlerp, Method::kPhongDuff, Method::kGouraud,
-                                Method::kSlerpIntensity, Method::kPhong, Method::kFlat}) {
-      const FrameWork work = FrontEnd::Run(Triangles(++seed), method);
-      ExpectGood(Compare(all.get(), work, flow), flow.name);
+  for (const int lanes : {1, kMaxLanes}) {
+    const auto all = tb::RtlShadingUnit::CreateAll(lanes);
+    for (const Flow& flow : Flows()) {
+      // From one kind to the other, and from every method to another than the next.
+      for (size_t k = 0; k < kAllMethods.size(); ++k) {
+        const Method method = kAllMethods[7 * k % kAllMethods.size()];
+        const FrameWork work = FrontEnd::Run(tb::RandomTriangles(++seed, 60), method);
+        ExpectGood(Compare(all.get(), work, flow, lanes), flow.name);
+      }
     }
   }
 }
