@@ -51,31 +51,14 @@ module normal_setup
   // Control //
   /////////////
 
-  logic [Stages:0]        valid, ready;      // between stages; [Stages]: the seed register
-  logic [Stages-1:0]      busy, take;
+  logic [Stages-1:0]      take;
   logic [Stages-1:0][2:0] step;
-  lit_run_t [Stages:0]    run_q;
-  logic                   seed_valid_q, write_seed;
-
-  assign valid[0]      = span_valid_i;
-  assign span_ready_o  = ready[0];
-  assign ready[Stages] = !seed_valid_q || seed_ready_i;
-  assign write_seed    = valid[Stages] && ready[Stages];
-  assign seed_valid_o  = seed_valid_q;
-  assign run_o         = run_q[Stages];
-  assign busy_o        = (|busy) || seed_valid_q;
-
-  for (genvar i = 0; i < Stages; i++) begin : gen_stage
-    normal_setup_stage i_stage (
-      .clk_i, .rst_ni, .valid_i(valid[i]), .ready_o(ready[i]), .valid_o(valid[i+1]),
-      .ready_i(ready[i+1]), .busy_o(busy[i]), .take_o(take[i]), .step_o(step[i]));
-    always_ff @(posedge clk_i) if (take[i]) run_q[i] <= i == 0 ? run_i : run_q[i == 0 ? 0 : i - 1];
-  end
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) seed_valid_q <= 1'b0;
-    else         seed_valid_q <= write_seed || (seed_valid_q && !seed_ready_i);
-  end
-  always_ff @(posedge clk_i) if (write_seed) run_q[Stages] <= run_q[Stages-1];
+  lit_run_t               dots_run;          // of the span in the first stage
+  logic                   write_seed;
+  normal_setup_control #(.Stages(Stages)) u_control (
+    .clk_i, .rst_ni, .valid_i(span_valid_i), .ready_o(span_ready_o), .run_i,
+    .valid_o(seed_valid_o), .ready_i(seed_ready_i), .run_o, .take_o(take), .step_o(step),
+    .first_run_o(dots_run), .write_o(write_seed), .busy_o);
 
   ////////////
   // Stages //
@@ -85,7 +68,7 @@ module normal_setup
   logic [40:0]          delta_dots;
   logic signed [39:0]   square_dots, along_dots;
   length_sq_t           length_dots;
-  normal_setup_dots i_dots (
+  normal_setup_dots u_dots (
     .clk_i, .kind_i, .light_i, .take_i(take[0]), .step_i(step[0]), .normal_i,
     .end_o(end_dots), .delta_o(delta_dots), .square_o(square_dots), .along_o(along_dots),
     .length_o(length_dots));
@@ -95,16 +78,16 @@ module normal_setup
   logic [34:0] inverse_chord, inverse_angle, ratio_chord;
   logic [36:0] inverse_square_chord, inverse_square_angle;
   logic [37:0] psi_square_chord;
-  normal_setup_chord i_chord (
+  normal_setup_chord u_chord (
     .clk_i, .take_i(take[1]), .step_i(step[1]), .spherical_i(kind_i.spherical),
-    .delta_i(delta_dots), .steps_i(12'(run_q[0].run.length - 13'd1)), .delta_o(delta_chord),
+    .delta_i(delta_dots), .steps_i(12'(dots_run.run.length - 13'd1)), .delta_o(delta_chord),
     .exponent_o(exponent_chord), .inverse_o(inverse_chord),
     .inverse_square_o(inverse_square_chord), .psi_square_o(psi_square_chord),
     .ratio_o(ratio_chord));
 
   logic [49:0] kappa_angle, kappa_difference;
   logic [38:0] slope_angle;
-  normal_setup_angle i_angle (
+  normal_setup_angle u_angle (
     .clk_i, .take_i(take[2]), .step_i(step[2]), .exponent_i(exponent_chord),
     .inverse_i(inverse_chord), .inverse_square_i(inverse_square_chord),
     .psi_square_i(psi_square_chord), .ratio_i(ratio_chord), .exponent_o(exponent_angle),
@@ -128,7 +111,7 @@ module normal_setup
 
   quantity_seed_t [2:0] quantity;
   length_seed_t         length;
-  normal_setup_difference i_difference (
+  normal_setup_difference u_difference (
     .clk_i, .take_i(take[3]), .step_i(step[3]), .kind_i, .end_i(passed_angle_q.ends),
     .delta_i(delta_angle_q), .exponent_i(exponent_angle), .inverse_i(inverse_angle),
     .inverse_square_i(inverse_square_angle), .kappa_i(kappa_angle), .slope_i(slope_angle),
@@ -141,7 +124,7 @@ module normal_setup
   ///////////
 
   kappa_t step_kappa;                        // of one pixel
-  normal_setup_exponent i_exponent (.kappa_i(53'(kappa_difference)), .kappa_o(step_kappa));
+  normal_setup_exponent u_exponent (.kappa_i(53'(kappa_difference)), .kappa_o(step_kappa));
 
   if (Lanes == 1) begin : gen_one
     assign step_kappa_o = '0;
@@ -157,13 +140,13 @@ module normal_setup
     length_seed_t [3:0]        length_lanes;
     kappa_t                    kappa1, kappa2, kappa4;
     logic [52:0]               kappa2_wide, kappa4_wide;
-    normal_setup_lanes i_lanes (
+    normal_setup_lanes u_lanes (
       .clk_i, .take_i(take[4]), .step_i(step[4]), .quantity_i(quantity), .length_i(length),
       .kappa_i(53'(kappa_difference)), .step_kappa_i(step_kappa), .quantity_o(quantity_lanes),
       .length_o(length_lanes), .step_kappa_o(kappa1), .kappa2_o(kappa2_wide),
       .kappa4_o(kappa4_wide));
-    normal_setup_exponent i_exponent2 (.kappa_i(kappa2_wide), .kappa_o(kappa2));
-    normal_setup_exponent i_exponent4 (.kappa_i(kappa4_wide), .kappa_o(kappa4));
+    normal_setup_exponent u_exponent2 (.kappa_i(kappa2_wide), .kappa_o(kappa2));
+    normal_setup_exponent u_exponent4 (.kappa_i(kappa4_wide), .kappa_o(kappa4));
     always_ff @(posedge clk_i) begin
       if (write_seed) begin
         quantity_o   <= quantity_lanes;

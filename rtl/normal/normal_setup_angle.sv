@@ -51,7 +51,7 @@ module normal_setup_angle (
   logic signed [28:0] slope;
   logic        [19:0] curvature;
   assign select = step_i[2];
-  normal_setup_angle_table i_table (
+  normal_setup_angle_table u_table (
     .table_i(select), .segment_i(u[34:31]),
     .value_o(value), .slope_o(slope), .curvature_o(curvature));
 

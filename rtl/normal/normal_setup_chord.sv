@@ -48,7 +48,7 @@ module normal_setup_chord (
   assign select  = step_i[2:1];
   assign segment = select == 2'd0 ? {1'b0, mantissa_q[10:4]} : delta_q[38:31];
   assign offset  = select == 2'd0 ? {mantissa_q[3:0], 27'd0} : delta_q[30:0];
-  normal_setup_chord_table i_table (
+  normal_setup_chord_table u_table (
     .table_i(select), .segment_i(segment),
     .value_o(value), .slope_o(slope), .curvature_o(curvature));
 

@@ -42,41 +42,24 @@ module slerp_direct_setup
   localparam int unsigned Latency = 8 * Stages + 1;
   localparam int unsigned Interval = 8;
 
-  logic [Stages:0]        valid, ready;      // between stages; [Stages]: the output register
-  logic [Stages-1:0]      busy, take;
+  logic [Stages-1:0]      take;
   logic [Stages-1:0][2:0] step;
-  lit_run_t [Stages:0]    run_q;
-  logic                   arc_valid_q, write_arc;
-
-  assign valid[0]      = seed_valid_i;
-  assign seed_ready_o  = ready[0];
-  assign ready[Stages] = !arc_valid_q || seed_ready_i;
-  assign write_arc     = valid[Stages] && ready[Stages];
-  assign seed_valid_o  = arc_valid_q;
-  assign run_o         = run_q[Stages];
-  assign busy_o        = (|busy) || arc_valid_q;
-
-  for (genvar i = 0; i < Stages; i++) begin : gen_stage
-    normal_setup_stage i_stage (
-      .clk_i, .rst_ni, .valid_i(valid[i]), .ready_o(ready[i]), .valid_o(valid[i+1]),
-      .ready_i(ready[i+1]), .busy_o(busy[i]), .take_o(take[i]), .step_o(step[i]));
-    always_ff @(posedge clk_i) if (take[i]) run_q[i] <= i == 0 ? run_i : run_q[i == 0 ? 0 : i - 1];
-  end
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) arc_valid_q <= 1'b0;
-    else         arc_valid_q <= write_arc || (arc_valid_q && !seed_ready_i);
-  end
-  always_ff @(posedge clk_i) if (write_arc) run_q[Stages] <= run_q[Stages-1];
+  lit_run_t               first_run;         // the stages read no run
+  logic                   write_arc;
+  normal_setup_control #(.Stages(Stages)) u_control (
+    .clk_i, .rst_ni, .valid_i(seed_valid_i), .ready_o(seed_ready_o), .run_i,
+    .valid_o(seed_valid_o), .ready_i(seed_ready_i), .run_o, .take_o(take), .step_o(step),
+    .first_run_o(first_run), .write_o(write_arc), .busy_o);
 
   arc_turn_t                     turn;
   span_normal_t [Components-1:0] start;
   arc_rise_t    [Components-1:0] rise;
-  slerp_direct_setup_root i_root (
+  slerp_direct_setup_root u_root (
     .clk_i, .rst_ni, .take_i(take[0]), .step_i(step[0]), .quantity_i, .kappa_i,
     .turn_o(turn), .start_o(start), .rise_o(rise));
 
   arc_t arc, arc_q;
-  slerp_direct_setup_side i_side (
+  slerp_direct_setup_side u_side (
     .clk_i, .take_i(take[1]), .step_i(step[1]), .turn_i(turn), .start_i(start), .rise_i(rise),
     .arc_o(arc));
   always_ff @(posedge clk_i) if (write_arc) arc_q <= arc;

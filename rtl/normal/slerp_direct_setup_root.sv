@@ -35,7 +35,7 @@ module slerp_direct_setup_root
 
   reciprocal_sqrt_t root;
   logic             root_valid;              // in step 5; it stays until the next seed's
-  reciprocal_sqrt i_reciprocal_sqrt (
+  reciprocal_sqrt u_reciprocal_sqrt (
     .clk_i, .rst_ni, .valid_i(take_i), .length_sq_i({1'b0, kappa_i.mantissa, 16'd0}),
     .valid_o(root_valid), .root_o(root));
   logic [29:0] x;
@@ -53,7 +53,7 @@ module slerp_direct_setup_root
   logic [34:0] value;
   logic [25:0] slope;
   logic [17:0] curvature;
-  slerp_direct_setup_table i_table (
+  slerp_direct_setup_table u_table (
     .table_i(step_i[1]), .segment_i(place[33:28]), .value_o(value), .slope_o(slope),
     .curvature_o(curvature));
 
