@@ -14,6 +14,7 @@
 #include "model/flow_pattern.h"
 #include "model/normal/normal_setup.h"
 #include "tb/bit_packer.h"
+#include "tb/dut/light_pins.h"
 
 namespace shading::tb {
 
@@ -54,7 +55,7 @@ class NormalSetupDutOf {
              const FlowPattern& span_flow, const FlowPattern& seed_flow) {
     Result result;
     top_->kind_i = static_cast<uint8_t>(kind.spherical << 2 | kind.cosines << 1 | kind.length);
-    DriveLight(light);
+    DriveLight(light, top_->light_i);
     const int64_t limit = 200 + static_cast<int64_t>(spans.size()) * 64;
     bool held = false;
     int64_t offered = 0;
@@ -87,14 +88,6 @@ class NormalSetupDutOf {
   }
 
  private:
-  void DriveLight(const LightState& light) {
-    BitPacker<6> bits;
-    bits.Put(light.l_dot_v);
-    for (const NormalComponent value : light.half_or_view) bits.Put(value);
-    for (const NormalComponent value : light.light) bits.Put(value);
-    bits.Put(light.lighting == Lighting::kPhong, 1);
-    bits.Store(top_->light_i);
-  }
   void DriveSpan(const SpanCommand& span) {
     BitPacker<6> normals;
     for (const SpanNormal& normal : span.normal) {

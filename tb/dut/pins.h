@@ -107,7 +107,7 @@ NormalSeed ReadNormalSeed(const QuantityPort& quantity, const KappaPort& kappa) 
 inline constexpr int kPixelWidth = 73;
 
 template <typename Port>
-Pixel ReadLanePixel(const Port& port, int lane) {
+Pixel ReadPixel(const Port& port, int lane) {
   const int at = lane * kPixelWidth;
   const uint32_t color = BitsOf(port, at, 25);
   Pixel pixel;
@@ -118,20 +118,6 @@ Pixel ReadLanePixel(const Port& port, int lane) {
   pixel.z = BitsOf(port, at + 25, 24);
   pixel.y = static_cast<uint16_t>(BitsOf(port, at + 49, 12));
   pixel.x = static_cast<uint16_t>(BitsOf(port, at + 61, 12));
-  return pixel;
-}
-
-template <typename Port>
-Pixel ReadPixel(const Port& port) {
-  const uint64_t low = port[0] | static_cast<uint64_t>(port[1]) << 32;
-  Pixel pixel;
-  pixel.last = static_cast<uint8_t>(low & 1);
-  pixel.b = static_cast<uint8_t>(low >> 1);
-  pixel.g = static_cast<uint8_t>(low >> 9);
-  pixel.r = static_cast<uint8_t>(low >> 17);
-  pixel.z = static_cast<uint32_t>(low >> 25) & 0xffffff;
-  pixel.y = static_cast<uint16_t>((low >> 49) & 0xfff);
-  pixel.x = static_cast<uint16_t>(((low >> 61) | static_cast<uint64_t>(port[2]) << 3) & 0xfff);
   return pixel;
 }
 

@@ -89,7 +89,7 @@ class PixelQueueBuildDut {
   bool enter_ready() const { return top_->enter_ready_o; }
   int material() const { return top_->material_o; }
   bool pixel_valid() const { return top_->pixel_valid_o; }
-  Pixel pixel(size_t lane) const { return ReadLanePixel(top_->pixel_o, static_cast<int>(lane)); }
+  Pixel pixel(size_t lane) const { return ReadPixel(top_->pixel_o, static_cast<int>(lane)); }
   uint32_t mask() const { return top_->mask_o; }
   uint32_t unlit() const { return top_->unlit_o; }
   uint32_t no_highlight() const { return top_->no_highlight_o; }

@@ -131,15 +131,10 @@ class ShadingUnitDut : public RtlShadingUnit {
   }
 
   void TakePixels(Batch* batch, int64_t cycle, RtlResult* result) {
-    if constexpr (kLanes == 1) {
-      batch->Add({ReadPixel(top_->pixel_o), cycle});
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (kLanes > 1 && !(top_->pixel_mask_o >> lane & 1)) continue;
+      batch->Add({ReadPixel(top_->pixel_o, lane), cycle});
       ++result->pixels;
-    } else {
-      for (int lane = 0; lane < kLanes; ++lane) {
-        if (!(top_->pixel_mask_o >> lane & 1)) continue;
-        batch->Add({ReadLanePixel(top_->pixel_o, lane), cycle});
-        ++result->pixels;
-      }
     }
   }
 

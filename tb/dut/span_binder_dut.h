@@ -11,6 +11,7 @@
 #include "Vspan_binder.h"
 #include "Vspan_binder_span_binder.h"
 #include "model/flow_pattern.h"
+#include "tb/dut/command_ports.h"
 #include "tb/dut/pins.h"
 
 namespace shading::tb {
@@ -45,13 +46,13 @@ class SpanBinderDut {
 
   SpanBinderDut()
       : context_(std::make_unique<VerilatedContext>()),
-        top_(std::make_unique<Vspan_binder>(context_.get())) {
+        top_(std::make_unique<Vspan_binder>(context_.get())),
+        commands_(top_.get()) {
     Reset();
   }
 
   void Reset() {
-    top_->triangle_valid_i = 0;
-    top_->span_valid_i = 0;
+    commands_.Clear();
     top_->run_ready_i = 0;
     top_->rst_ni = 0;
     Tick();
@@ -76,7 +77,7 @@ class SpanBinderDut {
       }
       if (!result.failure.empty()) return result;
       Tick();
-      Withdraw();
+      commands_.Withdraw();
     }
     Settle();
     if (top_->busy_o || top_->run_valid_o) result.failure = "not empty after the last run";
@@ -84,34 +85,26 @@ class SpanBinderDut {
   }
 
  private:
-  static constexpr int kTriangleWords = 23, kSpanWords = 9, kRunWords = 4, kNormalWords = 6;
+  static constexpr int kRunWords = 4, kNormalWords = 6;
 
   void Offer(const Work& work, const Flows& flows, int64_t cycle, const Result& result) {
-    const size_t triangle = result.triangles.size(), span = result.spans.size();
-    if (!top_->triangle_valid_i && triangle < work.triangles.size() && flows.triangle.At(cycle)) {
-      DriveTriangle(work.triangles[triangle], top_->triangle_i);
-      top_->triangle_valid_i = 1;
-    }
-    if (!top_->span_valid_i && span < work.spans.size() && flows.span.At(cycle)) {
-      DriveSpan(work.spans[span], top_->span_i);
-      top_->span_valid_i = 1;
-    }
+    commands_.Offer(work.triangles, result.triangles.size(), flows.triangle.At(cycle), work.spans,
+                    result.spans.size(), flows.span.At(cycle));
     top_->run_ready_i = flows.run.At(cycle);
   }
 
   bool Observe(int64_t cycle, Result* result) {
-    take_triangle_ = top_->triangle_valid_i && top_->triangle_ready_o;
-    take_span_ = top_->span_valid_i && top_->span_ready_o;
+    commands_.Observe();
     const bool take_run = top_->run_valid_o && top_->run_ready_i;
-    if (take_triangle_) result->triangles.push_back(cycle);
-    if (take_span_) result->spans.push_back(cycle);
+    if (commands_.take_triangle()) result->triangles.push_back(cycle);
+    if (commands_.take_span()) result->spans.push_back(cycle);
     result->busy.push_back(top_->busy_o);
     CheckHeld(cycle, result);
-    if (take_run != take_span_) {
+    if (take_run != commands_.take_span()) {
       result->failure = "run and span part in cycle " + std::to_string(cycle);
     }
     if (take_run) result->runs.push_back(ReadRun(cycle));
-    return take_triangle_ || take_run;
+    return commands_.take_triangle() || take_run;
   }
 
   // A run on offer may neither go nor change until it is taken.
@@ -145,18 +138,6 @@ class SpanBinderDut {
     return bound;
   }
 
-  // Taken commands leave their ports; the payload turns into noise.
-  void Withdraw() {
-    if (take_triangle_) {
-      top_->triangle_valid_i = 0;
-      for (int i = 0; i < kTriangleWords; ++i) top_->triangle_i[i] = ~top_->triangle_i[i];
-    }
-    if (take_span_) {
-      top_->span_valid_i = 0;
-      for (int i = 0; i < kSpanWords; ++i) top_->span_i[i] = ~top_->span_i[i];
-    }
-  }
-
   void Settle() {
     top_->clk_i = 0;
     top_->eval();
@@ -169,7 +150,7 @@ class SpanBinderDut {
 
   std::unique_ptr<VerilatedContext> context_;  // outlives the top that lives in it
   std::unique_ptr<Vspan_binder> top_;
-  bool take_triangle_ = false, take_span_ = false;
+  CommandPorts<Vspan_binder> commands_;
   bool held_ = false;                 // the run on offer was not taken
   int64_t offered_ = 0;               // since when it is on offer
   std::vector<uint32_t> held_words_;  // its bits

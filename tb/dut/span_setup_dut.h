@@ -11,6 +11,7 @@
 #include "Vspan_setup.h"
 #include "Vspan_setup_span_setup.h"
 #include "model/flow_pattern.h"
+#include "tb/dut/command_ports.h"
 #include "tb/dut/pins.h"
 
 namespace shading::tb {
@@ -46,13 +47,13 @@ class SpanSetupDut {
 
   SpanSetupDut()
       : context_(std::make_unique<VerilatedContext>()),
-        top_(std::make_unique<Vspan_setup>(context_.get())) {
+        top_(std::make_unique<Vspan_setup>(context_.get())),
+        commands_(top_.get()) {
     Reset();
   }
 
   void Reset() {
-    top_->triangle_valid_i = 0;
-    top_->span_valid_i = 0;
+    commands_.Clear();
     top_->seed_ready_i = 0;
     top_->rst_ni = 0;
     Tick();
@@ -78,7 +79,7 @@ class SpanSetupDut {
       }
       if (!result.failure.empty()) return result;
       Tick();
-      Withdraw();
+      commands_.Withdraw();
     }
     Settle();
     if (top_->busy_o || top_->seed_valid_o) result.failure = "not empty after the last seed";
@@ -87,29 +88,21 @@ class SpanSetupDut {
 
  private:
   void Offer(const Work& work, const Flows& flows, int64_t cycle, const Result& result) {
-    const size_t triangle = result.triangles.size(), span = result.spans.size();
-    if (!top_->triangle_valid_i && triangle < work.triangles.size() && flows.triangle.At(cycle)) {
-      DriveTriangle(work.triangles[triangle], top_->triangle_i);
-      top_->triangle_valid_i = 1;
-    }
-    if (!top_->span_valid_i && span < work.spans.size() && flows.span.At(cycle)) {
-      DriveSpan(work.spans[span], top_->span_i);
-      top_->span_valid_i = 1;
-    }
+    commands_.Offer(work.triangles, result.triangles.size(), flows.triangle.At(cycle), work.spans,
+                    result.spans.size(), flows.span.At(cycle));
     top_->seed_ready_i = flows.seed.At(cycle);
   }
 
   bool Observe(int64_t cycle, Result* result) {
-    take_triangle_ = top_->triangle_valid_i && top_->triangle_ready_o;
-    take_span_ = top_->span_valid_i && top_->span_ready_o;
+    commands_.Observe();
     const bool take_seed = top_->seed_valid_o && top_->seed_ready_i;
-    if (take_triangle_) result->triangles.push_back(cycle);
-    if (take_span_) result->spans.push_back(cycle);
+    if (commands_.take_triangle()) result->triangles.push_back(cycle);
+    if (commands_.take_span()) result->spans.push_back(cycle);
     result->inside.push_back(top_->span_inside_o);
     result->busy.push_back(top_->busy_o);
     CheckHeld(cycle, result);
     if (take_seed) result->seeds.push_back({ReadSeed(top_->seed_o), offered_, cycle});
-    return take_triangle_ || take_span_ || take_seed;
+    return commands_.take_triangle() || commands_.take_span() || take_seed;
   }
 
   // A seed on offer may neither go nor change until it is taken.
@@ -124,20 +117,6 @@ class SpanSetupDut {
     held_words_ = words;
   }
 
-  // Taken commands leave their ports; the payload turns into noise.
-  void Withdraw() {
-    if (take_triangle_) {
-      top_->triangle_valid_i = 0;
-      for (int word = 0; word < kTriangleWords; ++word) {
-        top_->triangle_i[word] = ~top_->triangle_i[word];
-      }
-    }
-    if (take_span_) {
-      top_->span_valid_i = 0;
-      for (int word = 0; word < kSpanWords; ++word) top_->span_i[word] = ~top_->span_i[word];
-    }
-  }
-
   void Settle() {
     top_->clk_i = 0;
     top_->eval();
@@ -148,11 +127,11 @@ class SpanSetupDut {
     top_->eval();
   }
 
-  static constexpr int kTriangleWords = 23, kSpanWords = 9, kSeedWords = 18;
+  static constexpr int kSeedWords = 18;
 
   std::unique_ptr<VerilatedContext> context_;  // outlives the top that lives in it
   std::unique_ptr<Vspan_setup> top_;
-  bool take_triangle_ = false, take_span_ = false;
+  CommandPorts<Vspan_setup> commands_;
   bool held_ = false;                 // the seed on offer was not taken
   int64_t offered_ = 0;               // since when it is on offer
   std::vector<uint32_t> held_words_;  // its bits
