@@ -32,4 +32,17 @@ struct FrameWork {
   SkipCounts skipped;
 };
 
+// Calls on_triangle(index) before the first span of each triangle and on_span(span) for every span,
+// until that returns false.
+template <typename OnTriangle, typename OnSpan>
+void ForEachSpan(const FrameWork& work, const OnTriangle& on_triangle, const OnSpan& on_span) {
+  size_t triangle = 0;
+  bool first = true;
+  for (const SpanCommand& span : work.spans) {
+    if (first) on_triangle(triangle++);
+    first = span.last;
+    if (!on_span(span)) return;
+  }
+}
+
 }  // namespace shading

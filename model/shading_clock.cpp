@@ -28,48 +28,36 @@ static_assert(QueueOutlastsLight(), "else a span would have bubbles, and Leave()
 }  // namespace
 
 ShadingClock::ShadingClock(Method method, int lanes, FlowPattern source, FlowPattern sink)
-    : method_(method), lanes_(lanes), source_(std::move(source)), sink_(std::move(sink)) {}
+    : method_(method),
+      lanes_(lanes),
+      source_(std::move(source)),
+      sink_(std::move(sink)),
+      normal_setup_(NormalSetup::StageCount(lanes)),
+      arc_setup_(SlerpDirectSetup::kStages) {}
 
 void ShadingClock::Triangle() {
   constexpr int64_t kLead = FlowPattern::kTriangleLead;
-  const int64_t offered = source_.Next(triangle_taken_ + 1 + kLead) - kLead;
-  triangle_taken_ = std::max(offered, triangle_released_);
+  binder_.TakeTriangle(source_.Next(binder_.triangle_taken() + 1 + kLead) - kLead);
 }
 
 int64_t ShadingClock::OfferSurfaceSeed(int64_t offered, bool last) {
-  span_taken_ = std::max({offered, triangle_taken_, last_step_});
+  span_taken_ = std::max(binder_.OfferRun(offered), last_step_);
   // The first step shares its cycle with the last sum of the span before, which may be waiting for
   // the seed register.
   const int64_t first_step = std::max(span_taken_ + 1, sum_);
   last_step_ = first_step + SpanSetup::Steps(method_) - 1;
   sum_ = std::max(last_step_ + 1, seed_taken_);
-  if (last) triangle_released_ = last_step_;
+  binder_.PassSpan(last_step_, last);
   return sum_ + 1;
 }
 
-// Stage j is free when the span before enters stage j + 1; the register after the last stage, when
-// its seed is taken.
 int64_t ShadingClock::OfferNormalSeed(int64_t offered, bool last) {
-  const auto stages = static_cast<size_t>(NormalSetup::StageCount(lanes_));
-  span_taken_ = std::max({offered, triangle_taken_, stage_entered_[1]});
-  stage_entered_[0] = span_taken_;
-  for (size_t j = 1; j <= stages; ++j) {
-    const int64_t free = j < stages ? stage_entered_[j + 1] : normal_seed_taken_;
-    stage_entered_[j] = std::max(stage_entered_[j - 1] + NormalSetup::kSteps, free);
-  }
-  if (last) triangle_released_ = span_taken_;
-  return stage_entered_[stages] + 1;
-}
-
-int64_t ShadingClock::OfferArc(int64_t seed_offered) {
-  constexpr size_t kStages = SlerpDirectSetup::kStages;
-  normal_seed_taken_ = std::max(seed_offered, arc_stage_entered_[1]);
-  arc_stage_entered_[0] = normal_seed_taken_;
-  for (size_t j = 1; j <= kStages; ++j) {
-    const int64_t free = j < kStages ? arc_stage_entered_[j + 1] : seed_taken_;
-    arc_stage_entered_[j] = std::max(arc_stage_entered_[j - 1] + NormalSetup::kSteps, free);
-  }
-  return arc_stage_entered_[kStages] + 1;
+  span_taken_ = std::max(binder_.OfferRun(offered), normal_setup_.free());
+  binder_.PassSpan(span_taken_, last);
+  const int64_t seed_offered = normal_setup_.Offer(span_taken_, normal_seed_taken_);
+  if (method_ != Method::kSlerpDirect) return seed_offered;
+  normal_seed_taken_ = std::max(seed_offered, arc_setup_.free());
+  return arc_setup_.Offer(normal_seed_taken_, seed_taken_);
 }
 
 // Groups enter the light as the queue has room. Room for a later group never comes so late that the
@@ -97,12 +85,10 @@ void ShadingClock::Leave(int64_t groups, SpanTiming* timing) {
 SpanTiming ShadingClock::Span(int length, bool last) {
   SpanTiming timing;
   const int64_t offered = source_.Next(span_taken_ + 1);
-  int64_t seed_offered = InterpolatesNormals(method_) ? OfferNormalSeed(offered, last)
-                                                      : OfferSurfaceSeed(offered, last);
-  const bool has_arc = method_ == Method::kSlerpDirect;
-  if (has_arc) seed_offered = OfferArc(seed_offered);
+  const int64_t seed_offered = InterpolatesNormals(method_) ? OfferNormalSeed(offered, last)
+                                                            : OfferSurfaceSeed(offered, last);
   seed_taken_ = std::max(seed_offered, walker_free_);
-  if (!has_arc) normal_seed_taken_ = seed_taken_;
+  if (method_ != Method::kSlerpDirect) normal_seed_taken_ = seed_taken_;
   timing.accepted = span_taken_;
   const int64_t groups = (length + lanes_ - 1) / lanes_;
   Leave(groups, &timing);

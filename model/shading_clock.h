@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
 #include "model/flow_pattern.h"
 #include "model/normal/normal_setup.h"
 #include "model/normal/slerp_direct_setup.h"
+#include "model/normal/stage_clock.h"
 #include "model/raster/pixel_queue.h"
+#include "model/raster/span_binder.h"
 #include "model/shading_types.h"
 
 namespace shading {
@@ -45,7 +45,6 @@ class ShadingClock {
  private:
   int64_t OfferSurfaceSeed(int64_t offered, bool last);
   int64_t OfferNormalSeed(int64_t offered, bool last);
-  int64_t OfferArc(int64_t seed_offered);
   void Leave(int64_t groups, SpanTiming* timing);
 
   Method method_;
@@ -53,16 +52,15 @@ class ShadingClock {
   FlowPattern source_;
   FlowPattern sink_;
 
-  int64_t triangle_taken_ = 0;     // of the current triangle
-  int64_t triangle_released_ = 0;  // the last span of the triangle before lets it go
-  int64_t span_taken_ = 0;         // of the span before, and so on
-  int64_t last_step_ = 0;          // span_setup
+  SpanBinder binder_;  // span_setup holds its triangle likewise, until the last span's last step
+  int64_t span_taken_ = 0;  // of the span before, and so on
+  int64_t last_step_ = 0;   // span_setup
   int64_t sum_ = 0;
-  std::array<int64_t, NormalSetup::kStages + 2> stage_entered_ = {};  // normal_setup
-  std::array<int64_t, SlerpDirectSetup::kStages + 1> arc_stage_entered_ = {};  // slerp_direct_setup
+  StageClock normal_setup_;
+  StageClock arc_setup_;
   int64_t normal_seed_taken_ = 0;  // of normal_setup, by slerp_direct_setup or pixel_walker
   int64_t seed_taken_ = 0;         // by pixel_walker
-  int64_t walker_free_ = 0;  // the last group of the span before leaves pixel_walker
+  int64_t walker_free_ = 0;        // the last group of the span before leaves pixel_walker
   int64_t last_left_ = 0;
   PixelQueue queue_;
 };

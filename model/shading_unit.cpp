@@ -9,6 +9,7 @@
 #include "model/intensity/quad_surface.h"
 #include "model/normal/normal_shader.h"
 #include "model/raster/pixel_walker.h"
+#include "model/raster/span_binder.h"
 
 namespace shading {
 namespace {
@@ -74,12 +75,7 @@ void ShadingUnit::LightSpan(Shader shader, Pixel* pixels) {
 
 template <int kLanes>
 void ShadingUnit::ShadeNormals(const SpanCommand& span, Pixel* pixels) {
-  seed_.x = span.x;
-  seed_.y = span.y;
-  seed_.length = span.length;
-  seed_.z = span.z;
-  seed_.dz_dx = triangle_->dz_dx;
-  seed_.material = triangle_->material;
+  SpanBinder::Bind(*triangle_, span, &seed_);
   NormalSetup::Seed(SetupKindOf(work_.method), work_.light, span, kLanes, &seed_.normal);
   const NormalSeed& seed = seed_.normal;
   switch (work_.method) {

@@ -60,18 +60,17 @@ RunStats RunModel(const FrameWork& work, const Options& options, tb::PixelConsum
   std::vector<TimedPixel> timed(kMaxScreen);
   RunStats stats;
   stats.cycles = 1;  // an empty frame
-  size_t triangle = 0;
-  bool open = false;
-  for (const SpanCommand& span : work.spans) {
-    if (!open) model.Triangle(work.triangles[triangle++]);
-    open = !span.last;
+  const auto shade = [&](const SpanCommand& span) {
     const SpanTiming timing = model.Span(span, pixels.data());
     for (int i = 0; i < span.length; ++i) {
       timed[static_cast<size_t>(i)] = {pixels[static_cast<size_t>(i)], model.CycleOf(timing, i)};
     }
     consumer->Consume(timed.data(), static_cast<size_t>(span.length));
     stats.cycles = timing.last_left + 1;
-  }
+    return true;
+  };
+  ForEachSpan(
+      work, [&](size_t t) { model.Triangle(work.triangles[t]); }, shade);
   stats.counters = model.counters();
   stats.sim_seconds = watch.Seconds();
   return stats;

@@ -44,6 +44,17 @@ class S {
   int64_t raw_ = 0;
 };
 
+// A register of this width at the top of a 64-bit word, where sums wrap as those of the register
+// do.
+template <int I, int F>
+constexpr uint64_t Align(S<I, F> value) {
+  return static_cast<uint64_t>(value.raw()) << (64 - S<I, F>::kWidth);
+}
+template <typename Fixed>
+constexpr Fixed FromAligned(uint64_t aligned) {
+  return Fixed::FromRaw(static_cast<int64_t>(aligned) >> (64 - Fixed::kWidth));
+}
+
 // Unsigned fixed point UI.F. Twin of uI_F_t in fixed_pkg.sv.
 template <int I, int F>
 class U {

@@ -20,4 +20,13 @@ constexpr int64_t RoundDivide(Int128 n, int64_t d) {
   return static_cast<int64_t>(FloorDivide<Int128>(2 * n + d, 2 * static_cast<Int128>(d)));
 }
 
+// Nearest integer to wide / 2^bits, halves up; bits > 0.
+constexpr int64_t RoundShift(Int128 wide, int bits) {
+  return static_cast<int64_t>((wide + (Int128{1} << (bits - 1))) >> bits);
+}
+// a b 2^-bits, rounded likewise: products of more than 64 bits.
+constexpr int64_t MultiplyRound(int64_t a, int64_t b, int bits) {
+  return RoundShift(static_cast<Int128>(a) * b, bits);
+}
+
 }  // namespace shading

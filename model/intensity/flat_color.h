@@ -17,11 +17,6 @@ inline uint8_t ClampCode(int64_t whole) {
   return static_cast<uint8_t>(whole < 0 ? 0 : whole > Code::kMaxRaw ? Code::kMaxRaw : whole);
 }
 
-// An S9.26 register at the top of a 64-bit word: its wrap is then the machine's own.
-inline uint64_t Align(IntensityAcc value) {
-  return static_cast<uint64_t>(value.raw()) << (64 - IntensityAcc::kWidth);
-}
-
 // Bit-exact model of rtl/intensity/flat_color.sv: one channel of one span.
 //
 //   I(x) = F

@@ -15,7 +15,7 @@ using PixelNormal = std::array<PixelNormalComponent, 3>;
 using Diffuse = U<1, 17>;    // N.L clamped to 0..1
 using Highlight = U<1, 16>;  // (N.H)^n, 0..1
 
-inline constexpr int kMaxMaterials = 256;  // of one frame
+inline constexpr uint32_t kMaxMaterials = 256;  // of one frame
 
 // Light and viewer are at infinity: constants of a frame.
 struct LightState {
@@ -26,8 +26,7 @@ struct LightState {
 };
 
 inline LightState LightOf(const FrameState& frame) {
-  return {frame.lighting, frame.light,
-          frame.lighting == Lighting::kBlinn ? frame.half : frame.view,
+  return {frame.lighting, frame.light, frame.lighting == Lighting::kBlinn ? frame.half : frame.view,
           CosineOf(frame.light, frame.view)};
 }
 

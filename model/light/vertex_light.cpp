@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/light/specular_cosine.h"
 #include "model/light/specular_power.h"
 
 namespace shading {
@@ -25,22 +26,8 @@ Intensity RoundToCodes(int64_t light) {
 
 }  // namespace
 
-VertexLight::VertexLight(const FrameState& frame)
-    : lighting_(frame.lighting),
-      light_(frame.light),
-      half_or_view_(frame.lighting == Lighting::kBlinn ? frame.half : frame.view),
-      l_dot_v_(CosineOf(frame.light, frame.view)) {}
-
 LightCosines VertexLight::Cosines(const Vector3& normal) const {
-  return {CosineOf(normal, light_), CosineOf(normal, half_or_view_)};
-}
-
-Cosine VertexLight::SpecularCosine(const LightCosines& cosines) const {
-  if (lighting_ == Lighting::kBlinn) return cosines.n_dot_h_or_v;
-  const int64_t product = cosines.n_dot_l.raw() * cosines.n_dot_h_or_v.raw();  // S3.60
-  constexpr int kExtra = Cosine::kFraction - 1;                                // twice the product
-  const int64_t doubled = (product + (int64_t{1} << (kExtra - 1))) >> kExtra;
-  return RoundSaturateCosine(doubled - l_dot_v_.raw(), 0);
+  return {CosineOf(normal, light_.light), CosineOf(normal, light_.half_or_view)};
 }
 
 std::array<Intensity, kChannels> VertexLight::Shade(const LightCosines& cosines,
@@ -48,7 +35,8 @@ std::array<Intensity, kChannels> VertexLight::Shade(const LightCosines& cosines,
   const int64_t diffuse = ClampedRaw(cosines.n_dot_l);
   int64_t highlight = 0;
   if (!IsBlack(material.specular)) {
-    highlight = SpecularPower::Of(SpecularCosine(cosines), material.shininess).raw();
+    highlight =
+        SpecularPower::Of(SpecularCosine(light_).Specular(cosines), material.shininess).raw();
   }
   std::array<Intensity, kChannels> intensity;
   for (size_t c = 0; c < intensity.size(); ++c) {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "model/light/cosine.h"
+#include "model/light/light_types.h"
 #include "model/shading_types.h"
 #include "model/unit_contract.h"
 
@@ -31,19 +31,14 @@ class VertexLight {
                                              12.5,
                                              "unit vectors, reflectances 0..1, shininess 1..256"};
 
-  explicit VertexLight(const FrameState& frame);
+  explicit VertexLight(const FrameState& frame) : light_(LightOf(frame)) {}
 
   LightCosines Cosines(const Vector3& normal) const;
   std::array<Intensity, kChannels> Shade(const LightCosines& cosines,
                                          const Material& material) const;
 
  private:
-  Cosine SpecularCosine(const LightCosines& cosines) const;
-
-  Lighting lighting_;
-  Vector3 light_;
-  Vector3 half_or_view_;
-  Cosine l_dot_v_;  // kPhong only
+  LightState light_;
 };
 
 }  // namespace shading

@@ -14,13 +14,7 @@ namespace shading {
 inline constexpr int kArcFraction = 60;
 inline constexpr int64_t kArcOne = int64_t{1} << kArcFraction;
 
-// Nearest integer to wide / 2^bits, halves up; bits > 0.
-inline int64_t RoundShift(Int128 wide, int bits) {
-  return static_cast<int64_t>((wide + (static_cast<Int128>(1) << (bits - 1))) >> bits);
-}
-inline int64_t ArcProduct(int64_t a, int64_t b) {
-  return RoundShift(static_cast<Int128>(a) * b, kArcFraction);
-}
+inline int64_t ArcProduct(int64_t a, int64_t b) { return MultiplyRound(a, b, kArcFraction); }
 
 struct SineCosine {
   int64_t sine, cosine;
@@ -52,8 +46,7 @@ inline Int128 WideDot(const ArcVector& a, const ArcVector& b) {
 inline ArcVector ScaledBy(const ArcVector& v, const Root& length) {  // v / length
   ArcVector unit;
   for (size_t c = 0; c < 3; ++c) {
-    unit[c] =
-        RoundShift(static_cast<Int128>(v[c]) * length.inverse, kArcFraction - length.exponent);
+    unit[c] = MultiplyRound(v[c], length.inverse, kArcFraction - length.exponent);
   }
   return unit;
 }

@@ -23,19 +23,13 @@ class LengthRecurrence {
         difference_(Align(seed.difference)),
         curvature_(Align(seed.curvature)) {}
 
-  LengthSquare value() const {
-    return LengthSquare::FromRaw(static_cast<int64_t>(value_) >> kSpare);
-  }
+  LengthSquare value() const { return FromAligned<LengthSquare>(value_); }
   void Step() {
     value_ += difference_;
     difference_ += curvature_;
   }
 
  private:
-  // Registers sit at the top of 64 bits, where sums wrap as those of the RTL do.
-  static constexpr int kSpare = 64 - LengthSquare::kWidth;
-  static uint64_t Align(LengthSquare s) { return static_cast<uint64_t>(s.raw()) << kSpare; }
-
   uint64_t value_ = 0;       // q(t)
   uint64_t difference_ = 0;  // d(t)
   uint64_t curvature_ = 0;   // c

@@ -6,12 +6,6 @@
 
 namespace shading {
 
-// An S1.38 register at the top of a 64-bit word: its wrap is then the machine's own.
-inline constexpr int kQuantityAlign = 64 - Quantity::kWidth;
-inline uint64_t Align(Quantity value) {
-  return static_cast<uint64_t>(value.raw()) << kQuantityAlign;
-}
-
 // Bit-exact model of rtl/normal/linear_recurrence.sv: one quantity of one span or lane.
 //
 //   s(t+1) = s(t) + D
@@ -27,9 +21,7 @@ class LinearRecurrence {
   explicit LinearRecurrence(const QuantitySeed& seed)
       : value_(Align(seed.first)), difference_(Align(seed.difference)) {}
 
-  Quantity value() const {
-    return Quantity::FromRaw(static_cast<int64_t>(value_) >> kQuantityAlign);
-  }
+  Quantity value() const { return FromAligned<Quantity>(value_); }
   void Step() { value_ += difference_; }
 
  private:

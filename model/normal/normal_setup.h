@@ -3,6 +3,7 @@
 
 #include "model/light/light_types.h"
 #include "model/normal/normal_types.h"
+#include "model/normal/stage_clock.h"
 #include "model/shading_types.h"
 #include "model/unit_contract.h"
 
@@ -39,7 +40,7 @@ class NormalSetup {
       64,
       "slerp of unit normals up to 90 degrees, ulp of 2^-30 at any pixel, exact recurrence"};
 
-  static constexpr int kSteps = 8;
+  static constexpr int kSteps = StageClock::kSteps;
   static constexpr int kStages = 4;  // with one lane; four lanes take one more
   static constexpr int StageCount(int lanes) { return lanes == 1 ? kStages : kStages + 1; }
   static constexpr int Latency(int lanes) { return kSteps * StageCount(lanes) + 1; }

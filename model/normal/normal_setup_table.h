@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "model/fixed/wide_integer.h"
+
 namespace shading::normal_setup {
 
 // A quadratic value + t (slope + t curvature) for one segment, t in [0, 1); 34 fraction bits. It
@@ -14,6 +16,11 @@ namespace shading::normal_setup {
 struct Segment {
   int64_t value, slope, curvature;
 };
+// At t with `bits` fraction bits; both products are rounded half up.
+constexpr int64_t Evaluate(const Segment& segment, int64_t t, int bits) {
+  const int64_t inner = segment.slope + MultiplyRound(segment.curvature, t, bits);
+  return segment.value + MultiplyRound(inner, t, bits);
+}
 template <size_t kSegments>
 using Table = std::array<Segment, kSegments>;
 

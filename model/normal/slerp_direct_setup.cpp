@@ -18,20 +18,8 @@ constexpr int64_t kQuarterTurn = 0x1921fb54443;  // radians, U1.40
 // Angles of arcs that are straight: 2^-25 when every |d| < 2^-24, 2^-20 when every |d| < 2^-19.
 constexpr int kSmallestAngle = 25, kSmallAngle = 20;
 
-constexpr int64_t Round(Int128 value, int shift) {
-  return static_cast<int64_t>((value + (Int128{1} << (shift - 1))) >> shift);
-}
-// a b 2^-shift: the hardware's wide products need 128-bit integers here.
-constexpr int64_t Multiply(int64_t a, int64_t b, int shift) {
-  return Round(static_cast<Int128>(a) * b, shift);
-}
 constexpr int64_t Clamp(int64_t value, int bits) {
   return std::clamp(value, -(int64_t{1} << (bits - 1)), (int64_t{1} << (bits - 1)) - 1);
-}
-
-int64_t Evaluate(const normal_setup::Segment& segment, int64_t t) {
-  const int64_t inner = segment.slope + Multiply(segment.curvature, t, kOffset);
-  return segment.value + Multiply(inner, t, kOffset);
 }
 
 // What turns a seed of any amplitude into an arc.
@@ -47,18 +35,22 @@ Turn TurnOf(const Kappa& kappa) {
   const int exponent = kappa.exponent + root.exponent;
   const int64_t x = mantissa << (2 * root.exponent);  // U2.28
   const int64_t r = root.mantissa.raw();              // 1/sqrt(x), 24 fraction bits
-  const int64_t a = Multiply(x, r, 28 + 24 - 38);
-  const int64_t h = Round((Int128{1} << 62) - static_cast<Int128>(a) * r, 62 - 46);  // 1 - x r^2
-  const int64_t r1 = (r << 12) + Multiply(r, h, 24 + 46 + 1 - 36);                   // U1.36
-  const int64_t s = Multiply(x, r1, 28 + 36 - 36);                                   // U2.36
+  const int64_t a = MultiplyRound(x, r, 28 + 24 - 38);
+  const int64_t h =
+      RoundShift((Int128{1} << 62) - static_cast<Int128>(a) * r, 62 - 46);  // 1 - x r^2
+  const int64_t r1 = (r << 12) + MultiplyRound(r, h, 24 + 46 + 1 - 36);     // U1.36
+  const int64_t s = MultiplyRound(x, r1, 28 + 36 - 36);                     // U2.36
 
   const int64_t place = std::min(kMaxPlace, (mantissa << 6) >> (2 * kappa.exponent));
   const auto segment = static_cast<size_t>(place >> kOffset);
   const int64_t t = place & ((int64_t{1} << kOffset) - 1);
-  const int64_t angle = Evaluate(slerp_direct_setup::kAngleOverChord[segment], t);
-  const int64_t sine = Evaluate(slerp_direct_setup::kChordOverSine[segment], t);
-  const int64_t step = Multiply(s, angle, 36 + kTable - 40 + exponent);
-  return {Angle::FromRaw(step & Angle::kMaxRaw), Multiply(r1, sine, 36 + kTable - 36), exponent};
+  const int64_t angle =
+      normal_setup::Evaluate(slerp_direct_setup::kAngleOverChord[segment], t, kOffset);
+  const int64_t sine =
+      normal_setup::Evaluate(slerp_direct_setup::kChordOverSine[segment], t, kOffset);
+  const int64_t step = MultiplyRound(s, angle, 36 + kTable - 40 + exponent);
+  return {Angle::FromRaw(step & Angle::kMaxRaw), MultiplyRound(r1, sine, 36 + kTable - 36),
+          exponent};
 }
 
 // kappa = 0.
@@ -73,7 +65,7 @@ SpanArc StraightArc(const std::array<QuantitySeed, 3>& seed, SpanArc arc) {
   arc.step = Angle::FromRaw(k == 0 ? kQuarterTurn : int64_t{1} << (Angle::kFraction - k));
   for (size_t i = 0; i < 3; ++i) {
     const int64_t d = seed[i].difference.raw();
-    const int64_t end = Clamp(Round(arc.start[i].raw() * 256 + d, 8), 32);
+    const int64_t end = Clamp(RoundShift(arc.start[i].raw() * 256 + d, 8), 32);
     arc.side[i] = SpanNormalComponent::FromRaw(k == 0 ? end : d * (int64_t{1} << k) >> 8);
   }
   return arc;
@@ -92,12 +84,12 @@ SpanArc SlerpDirectSetup::Of(const std::array<QuantitySeed, 3>& seed, const Kapp
   arc.step = turn.step;
   for (size_t i = 0; i < 3; ++i) {
     const int64_t bend =
-        Multiply(arc.start[i].raw(), kappa.mantissa.raw(), 19 + 2 * kappa.exponent);
+        MultiplyRound(arc.start[i].raw(), kappa.mantissa.raw(), 19 + 2 * kappa.exponent);
     const int64_t v = seed[i].difference.raw() * 4 + bend;  // Nk sin(phi), S2.40
     const auto raised = static_cast<Int128>(v) << turn.exponent >> 6;
     const auto u = static_cast<int64_t>(
         std::clamp(raised, -(Int128{1} << 36), (Int128{1} << 36) - 1));  // S2.34
-    arc.side[i] = SpanNormalComponent::FromRaw(Clamp(Multiply(u, turn.inverse, 40), 32));
+    arc.side[i] = SpanNormalComponent::FromRaw(Clamp(MultiplyRound(u, turn.inverse, 40), 32));
   }
   return arc;
 }

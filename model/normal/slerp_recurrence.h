@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/normal/linear_recurrence.h"
+#include "model/normal/normal_types.h"
+#include "model/unit_contract.h"
 
 namespace shading {
 
@@ -30,9 +31,7 @@ class SlerpRecurrence {
         mantissa_(kappa.mantissa.raw()),
         shift_(kRoundingShift + 2 * kappa.exponent) {}
 
-  Quantity value() const {
-    return Quantity::FromRaw(static_cast<int64_t>(value_) >> kQuantityAlign);
-  }
+  Quantity value() const { return FromAligned<Quantity>(value_); }
   void Step() {
     value_ += difference_;
     const int64_t operand = static_cast<int64_t>(value_ + kHalfOperand) >> kOperandAlign;
@@ -41,6 +40,7 @@ class SlerpRecurrence {
   }
 
  private:
+  static constexpr int kQuantityAlign = 64 - Quantity::kWidth;
   static constexpr int kOperandAlign = kQuantityAlign + 10;  // S1.28 at the top of 64 bits
   static constexpr uint64_t kHalfOperand = uint64_t{1} << (kOperandAlign - 1);
   static constexpr int kRoundingShift = 17;  // leaves one bit below S1.38, for exponent 0

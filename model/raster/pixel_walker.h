@@ -43,10 +43,6 @@ class PixelWalker {
   }
 
  private:
-  static uint64_t Align(DepthAcc z) {
-    return static_cast<uint64_t>(z.raw()) << (64 - DepthAcc::kWidth);
-  }
-
   uint64_t z_;
   uint64_t dz_dx_;
   uint16_t x_;

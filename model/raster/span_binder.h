@@ -23,14 +23,17 @@ class SpanBinder {
                                              "spans in the order of their triangles"};
 
   // The normals of the span pass unchanged beside the run.
+  static void Bind(const TriangleState& triangle, const SpanCommand& span, SpanSeed* run) {
+    run->x = span.x;
+    run->y = span.y;
+    run->length = span.length;
+    run->z = span.z;
+    run->dz_dx = triangle.dz_dx;
+    run->material = triangle.material;
+  }
   static SpanSeed Bind(const TriangleState& triangle, const SpanCommand& span) {
     SpanSeed run;
-    run.x = span.x;
-    run.y = span.y;
-    run.length = span.length;
-    run.z = span.z;
-    run.dz_dx = triangle.dz_dx;
-    run.material = triangle.material;
+    Bind(triangle, span, &run);
     return run;
   }
 
@@ -42,6 +45,8 @@ class SpanBinder {
   }
   // The first cycle in which the run of a span is on offer that is itself from `offered` on.
   int64_t OfferRun(int64_t offered) const { return std::max(offered, triangle_taken_); }
+  int64_t triangle_taken() const { return triangle_taken_; }  // of the current triangle
+
   // The run is taken, and with it the span.
   void PassSpan(int64_t cycle, bool last) {
     if (last) released_ = cycle;

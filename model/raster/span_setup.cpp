@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/raster/span_setup.h"
 
+#include "model/raster/span_binder.h"
+
 namespace shading {
 namespace {
 
@@ -39,11 +41,7 @@ void SeedChannels(const TriangleState& triangle, const SpanCommand& span,
 
 void SpanSetup::Seed(Method method, const TriangleState& triangle, const SpanCommand& span,
                      SpanSeed* seed) {
-  seed->x = span.x;
-  seed->y = span.y;
-  seed->length = span.length;
-  seed->z = span.z;
-  seed->dz_dx = triangle.dz_dx;
+  SpanBinder::Bind(triangle, span, seed);
   switch (method) {
     case Method::kFlat: return SeedChannels(triangle, span, FlatSeed, seed);
     case Method::kGouraud: return SeedChannels(triangle, span, GouraudSeed, seed);

@@ -39,7 +39,7 @@ bool DecodeMaterial(const uint32_t* words, Material* material) {
 
 DeviceError DecodeMaterials(const RegisterFile& registers, FrameState* state) {
   const uint32_t count = registers.Get(OffsetOf("MATERIAL_COUNT"));
-  if (count > kMaterialEntries) return DeviceError::kMaterial;
+  if (count > kMaxMaterials) return DeviceError::kMaterial;
   state->materials.resize(count);
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t offset = OffsetOf("MATERIALS") + i * kMaterialWords * kWordBytes;

@@ -28,7 +28,6 @@ inline constexpr uint32_t kWordBytes = 4;
 inline constexpr uint32_t kAddressSpace = 0x8000;  // bytes
 inline constexpr uint32_t kPacketWords = 19;
 inline constexpr uint32_t kMaterialWords = 16;  // of one entry; 10 are used
-inline constexpr uint32_t kMaterialEntries = kMaxMaterials;
 
 constexpr uint32_t MethodBits() {
   uint32_t bits = 0;
@@ -79,7 +78,7 @@ inline constexpr std::array kRegisterMap = {
     Register{"SKIPPED_EMPTY", 0x0d0, 2, Access::kRead, 0, "triangles between pixel centres"},
     Register{"TRIANGLE_FIFO", 0x100, kPacketWords, Access::kWrite, 0,
              "triangle packet, see below; the last word pushes"},
-    Register{"MATERIALS", 0x4000, kMaterialEntries* kMaterialWords, Access::kReadWrite, 0,
+    Register{"MATERIALS", 0x4000, kMaxMaterials* kMaterialWords, Access::kReadWrite, 0,
              "material table, see below"},
 };
 

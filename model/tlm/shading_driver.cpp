@@ -17,7 +17,7 @@ void ShadingDriver::Start(const FrameState& frame, Method method, const FrameBuf
 
   WriteWord(OffsetOf("MATERIAL_COUNT"), static_cast<uint32_t>(frame.materials.size()));
   // A longer list is refused as a whole by START.
-  const auto count = std::min<size_t>(frame.materials.size(), kMaterialEntries);
+  const auto count = std::min<size_t>(frame.materials.size(), kMaxMaterials);
   uint32_t offset = OffsetOf("MATERIALS");
   for (size_t i = 0; i < count; ++i, offset += kMaterialWords * kWordBytes) {
     const MaterialEntry entry = EncodeMaterial(frame.materials[i]);

@@ -68,13 +68,12 @@ void ModelAlone(benchmark::State& state, Method method) {
   std::vector<Pixel> pixels(kMaxScreen);
   for (auto _ : state) {
     ShadingUnit model(work, 1, FlowPattern::Always(), FlowPattern::Always());
-    size_t triangle = 0;
-    bool open = false;
-    for (const SpanCommand& span : work.spans) {
-      if (!open) model.Triangle(work.triangles[triangle++]);
-      open = !span.last;
-      benchmark::DoNotOptimize(model.Span(span, pixels.data()).last_left);
-    }
+    ForEachSpan(
+        work, [&](size_t t) { model.Triangle(work.triangles[t]); },
+        [&](const SpanCommand& span) {
+          benchmark::DoNotOptimize(model.Span(span, pixels.data()).last_left);
+          return true;
+        });
   }
   Finish(state, work);
 }

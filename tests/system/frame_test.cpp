@@ -89,16 +89,15 @@ Rendered OnModel(const Case& test) {
   ShadingUnit unit(work, 1, FlowPattern::Always(), test.sink);
   std::vector<Pixel> pixels(kMaxScreen);
   uint64_t written = 0, cycles = 1;
-  size_t triangle = 0;
-  bool first = true;
-  for (const SpanCommand& span : work.spans) {
-    if (first) unit.Triangle(work.triangles[triangle++]);
-    first = span.last;
+  const auto shade = [&](const SpanCommand& span) {
     cycles = static_cast<uint64_t>(unit.Span(span, pixels.data()).last_left) + 1;
     for (int i = 0; i < span.length; ++i) {
       written += frame_buffer.Put(pixels[static_cast<size_t>(i)]);
     }
-  }
+    return true;
+  };
+  ForEachSpan(
+      work, [&](size_t t) { unit.Triangle(work.triangles[t]); }, shade);
   const auto u = [](int64_t value) { return static_cast<uint64_t>(value); };
   return {frame_buffer.memory(),
           {{"PIXELS", u(work.pixels)},

@@ -18,13 +18,12 @@ std::vector<int64_t> ExpectedCycles(const TriangleList& list, Method method) {
   ShadingUnit unit(work, 1, FlowPattern::Always(), FlowPattern::Always());
   std::vector<Pixel> pixels(kMaxScreen);
   std::vector<int64_t> cycles;
-  size_t triangle = 0;
-  bool first = true;
-  for (const SpanCommand& span : work.spans) {
-    if (first) unit.Triangle(work.triangles[triangle++]);
-    first = span.last;
-    cycles.push_back(unit.Span(span, pixels.data()).last_left + 1);
-  }
+  ForEachSpan(
+      work, [&](size_t t) { unit.Triangle(work.triangles[t]); },
+      [&](const SpanCommand& span) {
+        cycles.push_back(unit.Span(span, pixels.data()).last_left + 1);
+        return true;
+      });
   return cycles;
 }
 

@@ -42,7 +42,7 @@ class PixelLightFlow : public testing::TestWithParam<Param> {
       const LightState light = LightOf(RandomFrame(lighting, random));
       dut.SetLight(light);
       std::vector<PixelLight> materials;
-      for (int m = 0; m < kMaxMaterials; ++m) {
+      for (int m = 0; m < static_cast<int>(kMaxMaterials); ++m) {
         const Material material = RandomMaterial(random, true);
         dut.SetMaterial(m, material);
         materials.emplace_back(light).SetMaterial(material);
