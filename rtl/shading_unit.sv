@@ -64,11 +64,12 @@ module shading_unit
 
   logic  surface_triangle_ready, surface_span_ready, surface_busy, surface_inside;
   logic  surface_valid, normal_triangle_ready, normal_span_ready, normal_busy, normal_inside;
-  logic  normal_valid, seed_ready;
+  logic  normal_valid, seed_valid, seed_ready;
   seed_t seed;                     // of intensities
   assign triangle_ready_o = (is_normal ? normal_triangle_ready : surface_triangle_ready)
                             && triangle_gate;
   assign span_ready_o     = is_normal ? normal_span_ready : surface_span_ready;
+  assign seed_valid       = is_normal ? normal_valid : surface_valid;
 
   if (HasSurface) begin : gen_span_setup
     span_setup #(.Methods(Methods & SurfaceMethods)) u_span_setup (
@@ -138,7 +139,7 @@ module shading_unit
 
   pixel_walker #(.Lanes(Lanes)) u_pixel_walker (
     .clk_i, .rst_ni,
-    .run_valid_i  (is_normal ? normal_valid : surface_valid),
+    .run_valid_i  (seed_valid),
     .run_ready_o  (seed_ready),
     .run_i        (run),
     .pixel_valid_o(walker_valid),

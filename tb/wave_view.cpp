@@ -30,24 +30,31 @@ constexpr const char* kSignals[] = {
     "-pixel",
     "pixel_valid_o",
     "pixel_ready_i",
-    "pixel_o.x[11:0]",
-    "pixel_o.y[11:0]",
-    "pixel_o.z[23:0]",
-    "pixel_o.r[7:0]",
-    "pixel_o.g[7:0]",
-    "pixel_o.b[7:0]",
-    "pixel_o.last",
 };
+constexpr const char* kPixelFields[] = {"x[11:0]", "y[11:0]", "z[23:0]", "r[7:0]",
+                                        "g[7:0]",  "b[7:0]",  "last"};
 
 }  // namespace
 
-std::string WriteWaveView(const std::string& waveform) {
+std::string WriteWaveView(const std::string& waveform, int lanes) {
   const std::filesystem::path path(waveform);
   const std::string name = std::filesystem::path(path).replace_extension(".gtkw").string();
   std::ofstream file(name);
   file << "[dumpfile] \"" << std::filesystem::absolute(path).string() << "\"\n[timestart] 0\n";
+  const auto show = [&file](const std::string& signal) {
+    file << "@24\nTOP.shading_unit." << signal << '\n';
+  };
   for (const std::string signal : kSignals) {
-    file << (signal[0] == '-' ? "@200\n" + signal : "@24\nTOP.shading_unit." + signal) << '\n';
+    if (signal[0] == '-') {
+      file << "@200\n" << signal << '\n';
+    } else {
+      show(signal);
+    }
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    for (const char* field : kPixelFields) {
+      show("pixel_o[" + std::to_string(lane) + "]." + field);
+    }
   }
   file.close();
   if (!file) throw std::runtime_error(name + ": cannot be written; is the disk full?");

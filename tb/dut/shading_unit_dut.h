@@ -50,7 +50,7 @@ class ShadingUnitDut : public RtlShadingUnit {
       Withdraw();
     }
     batch.Flush();
-    if (trace_) WriteWaveView(observation.trace);
+    if (trace_) WriteWaveView(observation.trace, kLanes);
     trace_.reset();
     clean_ = result.finished;
     result.counters = ReadCounters();
