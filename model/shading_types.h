@@ -18,6 +18,8 @@ using IntensityAcc = S<9, 26>;  // intensity in codes for recurrences; wraps, se
 using Depth = U<0, 24>;         // [0, 1), smaller is nearer
 using DepthAcc = S<1, 38>;      // depth with 14 guard bits, for the step along a span
 
+using Tolerance = U<4, 12>;     // codes
+
 inline constexpr int kChannels = 3;  // red, green, blue
 inline constexpr int kMaxScreen = 4096;
 
@@ -57,6 +59,12 @@ struct Surface {
   IntensityAcc a, b, c, d, e, f;
 };
 
+// The surface of one channel and a pixel on it.
+struct SurfacePoint {
+  Surface surface;
+  int x = 0, y = 0;
+};
+
 // What the shading unit keeps for one triangle.
 struct TriangleState {
   int origin_x = 0, origin_y = 0;  // first pixel of its first span, where x = y = 0
@@ -77,9 +85,9 @@ struct SpanCommand {
 // Row start, row start of the next pixel and differences of one channel: paper 003 (9), (3).
 struct ChannelSeed {
   IntensityAcc first;       // I(0)
-  IntensityAcc second;      // I(1), used by quad_surface
-  IntensityAcc difference;  // I(1) - I(0), used by gouraud_interpolator
-  IntensityAcc curvature;   // 2A, used by quad_surface
+  IntensityAcc second;      // I(stride); one pixel, or the number of lanes
+  IntensityAcc difference;  // I(stride) - I(0)
+  IntensityAcc curvature;   // stride^2 2A
 };
 
 // What span_setup or normal_setup hands to the pixel stage.

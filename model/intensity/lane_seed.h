@@ -10,7 +10,7 @@ namespace shading {
 // `lanes` pixels.
 //
 //   I(j) = I(0) + j D + j (j - 1) / 2 2A,  D = I(1) - I(0)          paper 003 (3)
-//   D' = lanes D,  2A' = lanes^2 2A
+//   D' = I(j + lanes) - I(j),  2A' = lanes^2 2A
 //
 // Sums modulo 2^36 of integers: exact wherever the intensity itself lies in S9.26.
 class LaneSeed {
@@ -20,8 +20,8 @@ class LaneSeed {
 
   static ChannelSeed Of(const ChannelSeed& seed, int lane, int lanes) {
     if (lanes == 1) return seed;
-    return {Pixel(seed, lane), Pixel(seed, lane + lanes),
-            IntensityAcc::Wrap(lanes * seed.difference.raw()),
+    const IntensityAcc first = Pixel(seed, lane), second = Pixel(seed, lane + lanes);
+    return {first, second, IntensityAcc::Wrap(second.raw() - first.raw()),
             IntensityAcc::Wrap(lanes * lanes * seed.curvature.raw())};
   }
 

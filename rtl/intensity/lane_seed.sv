@@ -3,7 +3,7 @@
 // Start of one lane of one channel: lane j of Lanes begins at pixel j and steps Lanes pixels.
 //
 //   I(j) = I(0) + j D + j (j - 1) / 2 2A,  D = I(1) - I(0)          paper 003 (3)
-//   D' = Lanes D,  2A' = Lanes^2 2A
+//   D' = I(j + Lanes) - I(j) = Lanes D + (Lanes j + Lanes (Lanes - 1) / 2) 2A,  2A' = Lanes^2 2A
 //
 // Timing    Combinational; additions of shifted terms only.
 // Formats   S9.26, modulo 2^36: exact, so lanes show the same intensities as one.
@@ -26,6 +26,8 @@ module lane_seed
   localparam intensity_acc_t SecondPairs =
     intensity_acc_t'(32'((Lane + Lanes) * (Lane + Lanes - 1) / 2));
   localparam intensity_acc_t Stride = intensity_acc_t'(Lanes);
+  localparam intensity_acc_t StridePairs =
+    intensity_acc_t'(32'(Lanes * Lane + Lanes * (Lanes - 1) / 2));
   localparam intensity_acc_t StrideSquare = intensity_acc_t'(32'(Lanes * Lanes));
 
   if (Lanes == 1) begin : gen_one
@@ -35,7 +37,7 @@ module lane_seed
                                FirstPairs * seed_i.curvature;
     assign seed_o.second     = seed_i.first + Second * seed_i.difference +
                                SecondPairs * seed_i.curvature;
-    assign seed_o.difference = Stride * seed_i.difference;
+    assign seed_o.difference = Stride * seed_i.difference + StridePairs * seed_i.curvature;
     assign seed_o.curvature  = StrideSquare * seed_i.curvature;
   end
 endmodule

@@ -10,6 +10,7 @@ package shading_pkg;
   typedef s9_26_t      intensity_acc_t;      // intensity in codes, for recurrences; sums wrap
   typedef u0_24_t      depth_t;              // [0, 1), smaller is nearer
   typedef s1_38_t      depth_acc_t;          // depth with 14 guard bits
+  typedef logic [15:0] tolerance_t;          // U4.12, codes
   typedef logic [11:0] coord_t;              // pixel column or row
   typedef logic signed [12:0] offset_t;      // pixels from the triangle's origin, -4095..4095
   typedef logic [12:0] span_length_t;        // pixels in one span, 1..4096
@@ -49,6 +50,13 @@ package shading_pkg;
     intensity_acc_t e;
     intensity_acc_t f;
   } surface_t;
+
+  // The surface of one channel and a pixel on it.
+  typedef struct packed {
+    surface_t surface;
+    offset_t  x;
+    offset_t  y;
+  } surface_point_t;
 
   typedef struct packed {
     method_e method;
@@ -91,9 +99,9 @@ package shading_pkg;
   // Start of one channel along a span, paper 003 (9) and (3).
   typedef struct packed {
     intensity_acc_t first;                   // I(0)
-    intensity_acc_t second;                  // I(1)
-    intensity_acc_t difference;              // I(1) - I(0)
-    intensity_acc_t curvature;               // 2A
+    intensity_acc_t second;                  // I(stride); one pixel, or the number of lanes
+    intensity_acc_t difference;              // I(stride) - I(0)
+    intensity_acc_t curvature;               // stride^2 2A
   } channel_seed_t;
 
   typedef struct packed {
