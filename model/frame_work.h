@@ -22,13 +22,16 @@ struct SkipCounts {
 // One frame as it enters the shading unit: triangles in order, each followed by its spans.
 struct FrameWork {
   Method method = Method::kFlat;
-  LightState light;                 // methods that interpolate normals, as the materials
+  Tolerance tolerance;              // quad-segment
+  LightState light;                 // methods that light every pixel, as the materials
   std::vector<Material> materials;  // at most kMaxMaterials
   std::vector<TriangleState> triangles;
   std::vector<uint32_t> packet;  // of each triangle: its index in the triangle list
   std::vector<SpanCommand> spans;
   int64_t pixels = 0;
   int64_t split_spans = 0;  // spans in two because their normals are over 90 degrees apart
+  int64_t over_limit = 0;   // packets whose normals turn too far for the tolerance, where asked for
+  int64_t pieces = 0;       // triangles that they were split into
   SkipCounts skipped;
 };
 

@@ -40,12 +40,12 @@ void ShadingClock::Triangle() {
   binder_.TakeTriangle(source_.Next(binder_.triangle_taken() + 1 + kLead) - kLead);
 }
 
-int64_t ShadingClock::OfferSurfaceSeed(int64_t offered, bool last) {
+int64_t ShadingClock::OfferSurfaceSeed(int64_t offered, int rows, bool last) {
   span_taken_ = std::max(binder_.OfferRun(offered), last_step_);
   // The first step shares its cycle with the last sum of the span before, which may be waiting for
   // the seed register.
   const int64_t first_step = std::max(span_taken_ + 1, sum_);
-  last_step_ = first_step + SpanSetup::Steps(method_) - 1;
+  last_step_ = first_step + SpanSetup::Steps(method_, rows) - 1;
   sum_ = std::max(last_step_ + 1, seed_taken_);
   binder_.PassSpan(last_step_, last);
   return sum_ + 1;
@@ -63,7 +63,7 @@ int64_t ShadingClock::OfferNormalSeed(int64_t offered, bool last) {
 // Groups enter the light as the queue has room. Room for a later group never comes so late that the
 // groups on offer would break off, since the light takes fewer cycles than the queue has places.
 void ShadingClock::Leave(int64_t groups, SpanTiming* timing) {
-  const bool lit = InterpolatesNormals(method_);
+  const bool lit = LightsPixels(method_);
   int64_t first_entered = seed_taken_ + 1;
   if (lit) {
     first_entered = std::max(first_entered, queue_.RoomFor(queue_.groups(), sink_) + 1);
@@ -82,11 +82,11 @@ void ShadingClock::Leave(int64_t groups, SpanTiming* timing) {
       std::max(first_entered + groups - 1, queue_.RoomFor(first + groups - 1, sink_) + 1);
 }
 
-SpanTiming ShadingClock::Span(int length, bool last) {
+SpanTiming ShadingClock::Span(int length, int rows, bool last) {
   SpanTiming timing;
   const int64_t offered = source_.Next(span_taken_ + 1);
   const int64_t seed_offered = InterpolatesNormals(method_) ? OfferNormalSeed(offered, last)
-                                                            : OfferSurfaceSeed(offered, last);
+                                                            : OfferSurfaceSeed(offered, rows, last);
   seed_taken_ = std::max(seed_offered, walker_free_);
   if (method_ != Method::kSlerpDirect) normal_seed_taken_ = seed_taken_;
   timing.accepted = span_taken_;

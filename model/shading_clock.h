@@ -37,13 +37,14 @@ class ShadingClock {
   ShadingClock(Method method, int lanes, FlowPattern source, FlowPattern sink);
 
   void Triangle();  // the next triangle command; its spans follow
-  SpanTiming Span(int length, bool last);
+  // rows: from the span before in the same triangle, 0 for the first.
+  SpanTiming Span(int length, int rows, bool last);
 
   const FlowPattern& sink() const { return sink_; }
   int lanes() const { return lanes_; }
 
  private:
-  int64_t OfferSurfaceSeed(int64_t offered, bool last);
+  int64_t OfferSurfaceSeed(int64_t offered, int rows, bool last);
   int64_t OfferNormalSeed(int64_t offered, bool last);
   void Leave(int64_t groups, SpanTiming* timing);
 

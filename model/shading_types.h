@@ -14,13 +14,16 @@ namespace shading {
 // Twins of the typedefs in rtl/pkg/shading_pkg.sv: what each number means.
 using Code = U<8, 0>;           // displayed intensity, round(255 I)
 using Intensity = U<8, 16>;     // node value in codes (255 = full scale), 16 fraction bits
+using SignedIntensity = S<9, 16>;  // a term of the light, not clamped
 using IntensityAcc = S<9, 26>;  // intensity in codes for recurrences; wraps, see surface_fit
 using Depth = U<0, 24>;         // [0, 1), smaller is nearer
 using DepthAcc = S<1, 38>;      // depth with 14 guard bits, for the step along a span
 
+using CosineAcc = S<1, 44>;     // cosine on a surface; wraps likewise
 using Tolerance = U<4, 12>;     // codes
 
 inline constexpr int kChannels = 3;  // red, green, blue
+inline constexpr int kCosines = 2;   // N.L, and N.H or N.V
 inline constexpr int kMaxScreen = 4096;
 
 // How a triangle is shaded. The value is the bit of the method in the RTL parameter Methods.
@@ -28,6 +31,16 @@ enum class Method {
   kFlat,
   kGouraud,
   kQuad,
+  kQuadPolynomial,
+  kQuadHorner,
+  kQuadStep,
+  kQuadMidpoint,
+  kQuadThreeTerm,
+  kQuadThirdDifference,
+  kQuadSegment,
+  kQuadDifference,
+  kQuadSplit,
+  kQuadCosine,
   kPhong,
   kPhongTaylor,
   kPhongDuff,
@@ -36,28 +49,63 @@ enum class Method {
   kSlerpIntensity,
   kSlerpDirect
 };
-inline constexpr std::array<Method, 10> kAllMethods = {
-    Method::kFlat,           Method::kGouraud,   Method::kQuad,  Method::kPhong,
-    Method::kPhongTaylor,    Method::kPhongDuff, Method::kSlerp, Method::kSlerpPaper,
-    Method::kSlerpIntensity, Method::kSlerpDirect};
-// Methods that interpolate intensities; the others interpolate normals or cosines.
-inline constexpr std::array<Method, 3> kSurfaceMethods = {Method::kFlat, Method::kGouraud,
-                                                          Method::kQuad};
+inline constexpr int kMethodCount = 20;
+inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {
+    "flat",
+    "gouraud",
+    "quad",
+    "quad-polynomial",
+    "quad-horner",
+    "quad-step",
+    "quad-midpoint",
+    "quad-three-term",
+    "quad-third-difference",
+    "quad-segment",
+    "quad-difference",
+    "quad-split",
+    "quad-cosine",
+    "phong",
+    "phong-taylor",
+    "phong-duff",
+    "slerp",
+    "slerp-paper",
+    "slerp-intensity",
+    "slerp-direct"};
 inline constexpr std::string_view Name(Method method) {
-  constexpr std::array<std::string_view, 10> kNames = {
-      "flat",       "gouraud", "quad",        "phong",           "phong-taylor",
-      "phong-duff", "slerp",   "slerp-paper", "slerp-intensity", "slerp-direct"};
-  return kNames[static_cast<size_t>(method)];
+  return kMethodNames[static_cast<size_t>(method)];
 }
-constexpr bool InterpolatesNormals(Method method) { return method > Method::kQuad; }
+template <size_t kCount>
+constexpr std::array<Method, kCount> FirstMethods() {
+  std::array<Method, kCount> methods{};
+  for (size_t i = 0; i < kCount; ++i) methods[i] = static_cast<Method>(i);
+  return methods;
+}
+inline constexpr auto kAllMethods = FirstMethods<kMethodCount>();
+// Methods that interpolate along a surface, by span_setup; the others interpolate normals.
+inline constexpr auto kSurfaceMethods =
+    FirstMethods<static_cast<size_t>(Method::kQuadCosine) + 1>();
+constexpr bool InterpolatesNormals(Method method) { return method > Method::kQuadCosine; }
+// Methods that light every pixel; the others interpolate intensities.
+constexpr bool LightsPixels(Method method) { return method >= Method::kQuadCosine; }
 constexpr bool IsSpherical(Method method) { return method >= Method::kSlerp; }
+// Methods that show the surface of paper 003 (2) and differ in how they compute a row.
+constexpr bool IsQuadRow(Method method) {
+  return method >= Method::kQuad && method <= Method::kQuadDifference;
+}
+// Of these, the ones that evaluate the polynomial anew for every pixel.
+constexpr bool IsPointForm(Method method) {
+  return method == Method::kQuadPolynomial || method == Method::kQuadHorner;
+}
 
 // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes, one colour channel;
 // x, y in pixels from the triangle's origin, -4095..4095. F carries the half code that makes
 // truncation round.
-struct Surface {
-  IntensityAcc a, b, c, d, e, f;
+template <typename Value>
+struct BasicSurface {
+  Value a, b, c, d, e, f;
 };
+using Surface = BasicSurface<IntensityAcc>;
+using CosineSurface = BasicSurface<CosineAcc>;  // of an unclamped cosine; no half unit
 
 // The surface of one channel and a pixel on it.
 struct SurfacePoint {
@@ -69,8 +117,11 @@ struct SurfacePoint {
 struct TriangleState {
   int origin_x = 0, origin_y = 0;  // first pixel of its first span, where x = y = 0
   DepthAcc dz_dx;                  // depth step per pixel
-  int material = 0;                // methods that interpolate normals
-  std::array<Surface, kChannels> surface;
+  int material = 0;                // methods that light every pixel
+  std::array<Surface, kChannels> surface;        // intensity; quad-split: diffuse, no half code
+  std::array<Surface, kChannels> specular;       // quad-split, no half code
+  std::array<IntensityAcc, kChannels> ambient;   // quad-split, with the half code
+  std::array<CosineSurface, kCosines> cosine;    // quad-cosine
 };
 
 // A run of pixels of one triangle on one scanline.
@@ -83,11 +134,19 @@ struct SpanCommand {
 };
 
 // Row start, row start of the next pixel and differences of one channel: paper 003 (9), (3).
-struct ChannelSeed {
-  IntensityAcc first;       // I(0)
-  IntensityAcc second;      // I(stride); one pixel, or the number of lanes
-  IntensityAcc difference;  // I(stride) - I(0)
-  IntensityAcc curvature;   // stride^2 2A
+template <typename Value>
+struct BasicSeed {
+  Value first;       // I(0)
+  Value second;      // I(stride); one pixel, or the number of lanes
+  Value difference;  // I(stride) - I(0)
+  Value curvature;   // stride^2 2A
+};
+using ChannelSeed = BasicSeed<IntensityAcc>;
+using CurveSeed = BasicSeed<CosineAcc>;
+
+struct SplitSeed {
+  ChannelSeed specular;
+  IntensityAcc ambient;
 };
 
 // What span_setup or normal_setup hands to the pixel stage.
@@ -96,6 +155,9 @@ struct SpanSeed {
   DepthAcc z, dz_dx;
   int material = 0;
   std::array<ChannelSeed, kChannels> channel;  // methods that interpolate intensities
+  std::array<SplitSeed, kChannels> split;      // quad-split
+  std::array<SurfacePoint, kChannels> point;   // quad-polynomial, quad-horner
+  std::array<CurveSeed, kCosines> cosine;      // quad-cosine
   NormalSeed normal;                           // methods that interpolate normals
 };
 

@@ -6,7 +6,17 @@
 
 #include "model/intensity/flat_color.h"
 #include "model/intensity/gouraud_interpolator.h"
+#include "model/intensity/lane_seed.h"
+#include "model/intensity/quad_difference.h"
+#include "model/intensity/quad_horner.h"
+#include "model/intensity/quad_midpoint.h"
+#include "model/intensity/quad_polynomial.h"
+#include "model/intensity/quad_segment.h"
+#include "model/intensity/quad_split.h"
+#include "model/intensity/quad_step.h"
 #include "model/intensity/quad_surface.h"
+#include "model/intensity/quad_third_difference.h"
+#include "model/intensity/quad_three_term.h"
 #include "model/normal/normal_shader.h"
 #include "model/raster/pixel_walker.h"
 #include "model/raster/span_binder.h"
@@ -34,11 +44,12 @@ void WriteColor(int64_t r, int64_t g, int64_t b, Pixel* pixel) {
   std::memcpy(&pixel->r, &word, sizeof word);
 }
 
-template <typename IntensityUnit>
-void ShadeSpan(const SpanSeed& seed, Pixel* pixels) {
+// make(channel) is the unit of one channel.
+template <typename Make>
+void ShadeSpan(const SpanSeed& seed, const Make& make, Pixel* pixels) {
   const int length = seed.length;
   PixelWalker walker(seed);
-  IntensityUnit red(seed.channel[0]), green(seed.channel[1]), blue(seed.channel[2]);
+  auto red = make(0), green = make(1), blue = make(2);
   for (int i = 0; i < length; ++i) {
     WritePosition(walker, pixels + i);
     WriteColor(red.whole(), green.whole(), blue.whole(), pixels + i);
@@ -49,6 +60,36 @@ void ShadeSpan(const SpanSeed& seed, Pixel* pixels) {
   }
   pixels[length - 1].last = 1;
 }
+
+// A method whose lanes show the same intensities as one: their recurrences are exact.
+template <typename Unit>
+void ShadeCurve(const SpanSeed& seed, Pixel* pixels) {
+  ShadeSpan(seed, [&](size_t ch) { return Unit(seed.channel[ch]); }, pixels);
+}
+template <typename Unit>
+void ShadePoints(const SpanSeed& seed, Pixel* pixels) {
+  ShadeSpan(seed, [&](size_t ch) { return Unit(seed.point[ch]); }, pixels);
+}
+
+// The segments of each lane are its own.
+class LaneSegments {
+ public:
+  LaneSegments(const ChannelSeed& seed, Tolerance tolerance, int lanes) : lanes_(lanes) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      lane_[static_cast<size_t>(lane)] = QuadSegment(LaneSeed::Of(seed, lane, lanes), tolerance);
+    }
+  }
+  int64_t whole() const { return lane_[at_].whole(); }
+  void Step() {
+    lane_[at_].Step();
+    at_ = at_ + 1 == static_cast<size_t>(lanes_) ? 0 : at_ + 1;
+  }
+
+ private:
+  std::array<QuadSegment, kMaxLanes> lane_;
+  size_t at_ = 0;
+  int lanes_;
+};
 
 }  // namespace
 
@@ -74,7 +115,11 @@ void ShadingUnit::LightSpan(Shader shader, Pixel* pixels) {
 }
 
 template <int kLanes>
-void ShadingUnit::ShadeNormals(const SpanCommand& span, Pixel* pixels) {
+void ShadingUnit::LightPixels(const SpanCommand& span, Pixel* pixels) {
+  if (work_.method == Method::kQuadCosine) {
+    SpanSetup::Seed(work_.method, *triangle_, span, &seed_);
+    return LightSpan<kLanes>(QuadCosineShader<kLanes>(seed_.cosine), pixels);
+  }
   SpanBinder::Bind(*triangle_, span, &seed_);
   NormalSetup::Seed(SetupKindOf(work_.method), work_.light, span, kLanes, &seed_.normal);
   const NormalSeed& seed = seed_.normal;
@@ -93,23 +138,44 @@ void ShadingUnit::ShadeNormals(const SpanCommand& span, Pixel* pixels) {
   }
 }
 
+void ShadingUnit::ShadeIntensities(Pixel* pixels) const {
+  const SpanSeed& seed = seed_;
+  switch (work_.method) {
+    case Method::kFlat: return ShadeCurve<FlatColor>(seed, pixels);
+    case Method::kGouraud: return ShadeCurve<GouraudInterpolator>(seed, pixels);
+    case Method::kQuad: return ShadeCurve<QuadSurface>(seed, pixels);
+    case Method::kQuadPolynomial: return ShadePoints<QuadPolynomial>(seed, pixels);
+    case Method::kQuadHorner: return ShadePoints<QuadHorner>(seed, pixels);
+    case Method::kQuadStep: return ShadeCurve<QuadStep>(seed, pixels);
+    case Method::kQuadMidpoint: return ShadeCurve<QuadMidpoint>(seed, pixels);
+    case Method::kQuadThreeTerm: return ShadeCurve<QuadThreeTerm>(seed, pixels);
+    case Method::kQuadThirdDifference: return ShadeCurve<QuadThirdDifference>(seed, pixels);
+    case Method::kQuadDifference: return ShadeCurve<QuadDifference>(seed, pixels);
+    case Method::kQuadSegment:
+      return ShadeSpan(
+          seed,
+          [&](size_t ch) { return LaneSegments(seed.channel[ch], work_.tolerance, clock_.lanes()); },
+          pixels);
+    case Method::kQuadSplit:
+      return ShadeSpan(
+          seed, [&](size_t ch) { return QuadSplit(seed.channel[ch], seed.split[ch]); }, pixels);
+    default: return;
+  }
+}
+
 SpanTiming ShadingUnit::Span(const SpanCommand& span, Pixel* pixels) {
-  if (InterpolatesNormals(work_.method)) {
+  if (LightsPixels(work_.method)) {
     if (clock_.lanes() == 1) {
-      ShadeNormals<1>(span, pixels);
+      LightPixels<1>(span, pixels);
     } else {
-      ShadeNormals<kMaxLanes>(span, pixels);
+      LightPixels<kMaxLanes>(span, pixels);
     }
   } else {
-    // Lanes show the same intensities as one: their recurrences are exact.
     SpanSetup::Seed(work_.method, *triangle_, span, &seed_);
-    switch (work_.method) {
-      case Method::kGouraud: ShadeSpan<GouraudInterpolator>(seed_, pixels); break;
-      case Method::kQuad: ShadeSpan<QuadSurface>(seed_, pixels); break;
-      default: ShadeSpan<FlatColor>(seed_, pixels); break;
-    }
+    ShadeIntensities(pixels);
   }
-  const SpanTiming timing = clock_.Span(span.length, span.last);
+  const SpanTiming timing = clock_.Span(span.length, span.y - row_, span.last);
+  row_ = span.y;
   counters_.pixels += span.length;
   counters_.stall += timing.stall;
   counters_.setup += timing.setup;

@@ -31,7 +31,7 @@ class ShadingUnit {
   static constexpr UnitContract kContract = {
       "shading_unit",
       "top",
-      8,
+      5,
       1,
       "triangle S9.26, span U12.0",
       "pixel codes U8.0, depth U0.24",
@@ -50,10 +50,11 @@ class ShadingUnit {
   // The triangle must outlive its spans.
   void Triangle(const TriangleState& triangle) {
     triangle_ = &triangle;
-    if (InterpolatesNormals(work_.method)) {
+    if (LightsPixels(work_.method)) {
       light_.SetMaterial(work_.materials[static_cast<size_t>(triangle.material)]);
     }
     clock_.Triangle();
+    row_ = triangle.origin_y;
   }
 
   // Shades one span of the current triangle into `pixels`, which must hold span.length of them.
@@ -71,7 +72,8 @@ class ShadingUnit {
 
  private:
   template <int kLanes>
-  void ShadeNormals(const SpanCommand& span, Pixel* pixels);
+  void LightPixels(const SpanCommand& span, Pixel* pixels);
+  void ShadeIntensities(Pixel* pixels) const;
   template <int kLanes, typename Shader>
   void LightSpan(Shader shader, Pixel* pixels);
 
@@ -80,6 +82,7 @@ class ShadingUnit {
   ShadingClock clock_;
   PixelLight light_;
   const TriangleState* triangle_ = nullptr;
+  int row_ = 0;  // of the latest span
   SpanSeed seed_;
   Counters counters_;
 };

@@ -2,12 +2,13 @@
 //
 // Shading unit: triangles and their spans in, shaded pixels out, Lanes per cycle.
 //
-//   triangle, span -> span_setup -> pixel_walker + surface_shader -> pixel
-//   triangle, span -> normal_seeds -> pixel_walker + lit_pixels -> pixel
+//   triangle, span -> span_setup -> pixel_walker + surface_shader -> pixel     intensities
+//   triangle, span -> span_setup -> pixel_walker + lit_pixels -> pixel         quad-cosine
+//   triangle, span -> normal_seeds -> pixel_walker + lit_pixels -> pixel       normals
 //
 // Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
-// Timing    Lanes pixels per cycle. Set-up overlaps the previous spans: no bubble between spans of 5
-//           pixels or more for intensities, of 8 cycles or more for normals.
+// Timing    Lanes pixels per cycle. Set-up overlaps the previous spans: no bubble between spans of 2
+//           cycles or more for surfaces, of 8 cycles or more for normals.
 // Error     That of the method's units: 0.42 codes for intensities; see the page.
 // Streams   ready/valid; valid does not wait for ready, a payload holds until taken. A frame is
 //           taken when the unit is empty; while one waits, no further triangle is taken. Materials
@@ -51,11 +52,15 @@ module shading_unit
 );
   localparam bit HasSurface = |(Methods & SurfaceMethods);
   localparam bit HasNormal = |(Methods & ~SurfaceMethods);
+  localparam bit HasIntensity = |(Methods & ~LitMethods);
+  localparam bit HasLit = |(Methods & LitMethods);
 
   logic   frame_valid_q, take_frame, triangle_gate;
   frame_t frame_q;
   logic   is_normal;               // the frame interpolates normals
-  assign is_normal     = HasNormal && (!HasSurface || !SurfaceMethods[frame_q.method]);
+  logic   is_lit;                  // the frame lights every pixel
+  assign is_normal     = is_any_of(Methods, frame_q.method, ~SurfaceMethods);
+  assign is_lit        = is_any_of(Methods, frame_q.method, LitMethods);
   assign triangle_gate = frame_valid_q && !frame_valid_i;
 
   ////////////
@@ -65,7 +70,11 @@ module shading_unit
   logic  surface_triangle_ready, surface_span_ready, surface_busy, surface_inside;
   logic  surface_valid, normal_triangle_ready, normal_span_ready, normal_busy, normal_inside;
   logic  normal_valid, seed_valid, seed_ready;
-  seed_t seed;                     // of intensities
+  seed_t                         seed;     // of intensities
+  split_seed_t    [Channels-1:0] split;    // quad-split
+  surface_point_t [Channels-1:0] point;    // quad-polynomial, quad-horner
+  curve_seed_t    [Cosines-1:0]  cosine;   // quad-cosine
+  material_index_t               material;
   assign triangle_ready_o = (is_normal ? normal_triangle_ready : surface_triangle_ready)
                             && triangle_gate;
   assign span_ready_o     = is_normal ? normal_span_ready : surface_span_ready;
@@ -84,12 +93,16 @@ module shading_unit
       .seed_valid_o    (surface_valid),
       .seed_ready_i    (seed_ready && !is_normal),
       .seed_o          (seed),
+      .split_o         (split),
+      .cosine_o        (cosine),
+      .material_o      (material),
+      .point_o         (point),
       .span_inside_o   (surface_inside),
       .busy_o          (surface_busy)
     );
   end else begin : gen_no_span_setup
     assign {surface_triangle_ready, surface_span_ready, surface_valid} = '0;
-    assign {surface_inside, surface_busy, seed} = '0;
+    assign {surface_inside, surface_busy, seed, split, cosine, material, point} = '0;
   end
 
   lit_run_t                                   lit_run;
@@ -135,7 +148,7 @@ module shading_unit
   position_t [Lanes-1:0]        position;
   logic      [Lanes-1:0]        mask;
   assign run          = is_normal ? lit_run.run : seed.run;
-  assign walker_ready = is_normal ? queue_ready : pixel_ready_i;
+  assign walker_ready = is_lit ? queue_ready : pixel_ready_i;
 
   pixel_walker #(.Lanes(Lanes)) u_pixel_walker (
     .clk_i, .rst_ni,
@@ -151,14 +164,17 @@ module shading_unit
   );
 
   code_t [Lanes-1:0][Channels-1:0] surface_code;
-  if (HasSurface) begin : gen_surface_shader
-    surface_shader #(.Methods(Methods & SurfaceMethods), .Lanes(Lanes)) u_surface_shader (
+  if (HasIntensity) begin : gen_surface_shader
+    surface_shader #(.Methods(Methods & ~LitMethods), .Lanes(Lanes)) u_surface_shader (
       .clk_i,
-      .method_i(frame_q.method),
-      .load_i  (load && !is_normal),
-      .step_i  (step && !is_normal),
-      .seed_i  (seed.channel),
-      .code_o  (surface_code)
+      .method_i   (frame_q.method),
+      .tolerance_i(frame_q.tolerance),
+      .load_i     (load && !is_lit),
+      .step_i     (step && !is_lit),
+      .seed_i     (seed.channel),
+      .split_i    (split),
+      .point_i    (point),
+      .code_o     (surface_code)
     );
   end else begin : gen_no_surface_shader
     assign surface_code = '0;
@@ -168,21 +184,22 @@ module shading_unit
   pixel_t [Lanes-1:0] lit_pixel;
   logic   [Lanes-1:0] lit_mask, unlit, no_highlight;
 
-  if (HasNormal) begin : gen_lit_pixels
-    lit_pixels #(.Methods(Methods & ~SurfaceMethods), .Lanes(Lanes)) u_lit_pixels (
+  if (HasLit) begin : gen_lit_pixels
+    lit_pixels #(.Methods(Methods & LitMethods), .Lanes(Lanes)) u_lit_pixels (
       .clk_i, .rst_ni,
       .method_i      (frame_q.method),
       .light_i       (frame_q.light),
       .material_valid_i, .material_index_i, .material_i,
-      .load_i        (load && is_normal),
-      .step_i        (step && is_normal),
-      .index_i       (lit_run.material),
+      .load_i        (load && is_lit),
+      .step_i        (step && is_lit),
+      .index_i       (is_normal ? lit_run.material : material),
       .quantity_i    (quantity),
       .length_i      (length),
       .kappa_i       (kappa),
       .step_kappa_i  (step_kappa),
       .arc_i         (arc),
-      .enter_valid_i (walker_valid && is_normal),
+      .cosine_i      (cosine),
+      .enter_valid_i (walker_valid && is_lit),
       .enter_ready_o (queue_ready),
       .position_i    (position),
       .mask_i        (mask),
@@ -199,14 +216,14 @@ module shading_unit
     assign {unlit, no_highlight} = '0;
   end
 
-  assign pixel_valid_o = is_normal ? lit_valid : walker_valid;
-  assign pixel_mask_o  = is_normal ? lit_mask : mask;
+  assign pixel_valid_o = is_lit ? lit_valid : walker_valid;
+  assign pixel_mask_o  = is_lit ? lit_mask : mask;
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_pixel
     pixel_t surface_pixel;
     assign surface_pixel = '{
       x: position[lane].x, y: position[lane].y, z: position[lane].z, r: surface_code[lane][0],
       g: surface_code[lane][1], b: surface_code[lane][2], last: position[lane].last};
-    assign pixel_o[lane] = is_normal ? lit_pixel[lane] : surface_pixel;
+    assign pixel_o[lane] = is_lit ? lit_pixel[lane] : surface_pixel;
   end
 
   ////////////////////////
@@ -214,7 +231,8 @@ module shading_unit
   ////////////////////////
 
   logic span_inside;
-  assign span_inside   = is_normal ? normal_inside || walker_valid || queue_busy : surface_inside;
+  assign span_inside   = (is_normal ? normal_inside : surface_inside) ||
+                         (is_lit && (walker_valid || queue_busy));
   assign frame_ready_o = !surface_busy && !normal_busy && !walker_valid && !queue_busy;
   assign take_frame    = frame_valid_i && frame_ready_o;
 
@@ -230,8 +248,8 @@ module shading_unit
     .take_i        (pixel_valid_o && pixel_ready_i),
     .inside_i      (span_inside),
     .mask_i        (pixel_mask_o),
-    .unlit_i       (is_normal ? unlit : '0),
-    .no_highlight_i(is_normal ? no_highlight : '0),
+    .unlit_i       (is_lit ? unlit : '0),
+    .no_highlight_i(is_lit ? no_highlight : '0),
     .counters_o
   );
 

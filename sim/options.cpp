@@ -21,6 +21,7 @@ struct Words {
   std::string lighting = "blinn", cull = "back", engine = "rtl";
   int lanes = 1;
   double tolerance = 0.5;
+  std::string subdivide = "none";
 };
 
 [[noreturn]] void Refuse(const std::string& what) { throw CLI::ValidationError(what); }
@@ -62,8 +63,14 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
       ->check(CLI::IsMember({1, 4}));
   command
       ->add_option("--tolerance", w->tolerance,
-                   "LSB that an adaptive method may spend; no method spends any")
-      ->check(CLI::NonNegativeNumber);
+                   "codes that quad-segment and --subdivide may spend, 0..15.99")
+      ->check(CLI::Range(0.0, 15.99))
+      ->capture_default_str();
+  command
+      ->add_option("--subdivide", w->subdivide,
+                   "triangles whose normals turn too far for the tolerance: none, report or split")
+      ->check(CLI::IsMember({"none", "report", "split"}))
+      ->capture_default_str();
   command->add_option("--triangles-out", o->triangles_out, "write the packets, .jsonl");
 }
 
@@ -137,6 +144,10 @@ std::vector<Method> Methods(const std::string& word) {
 void Finish(const Words& w, Options* o) {
   o->methods = Methods(w.method);
   o->lanes = w.lanes;
+  o->front_end.tolerance = Tolerance::Round(w.tolerance);
+  o->front_end.subdivide = w.subdivide == "split"    ? Subdivide::kSplit
+                           : w.subdivide == "report" ? Subdivide::kReport
+                                                     : Subdivide::kNever;
   o->view.perspective = w.camera == "persp";
   o->view.lighting = w.lighting == "phong" ? Lighting::kPhong : Lighting::kBlinn;
   o->view.cull = w.cull == "none" ? Cull::kNone : Cull::kBack;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/flow_pattern.h"
+#include "model/raster/front_end.h"
 #include "model/shading_types.h"
 #include "sim/scene/camera.h"
 
@@ -22,6 +23,7 @@ struct Options {
   Engine engine = Engine::kRtl;
   int lanes = 1;  // pixels per cycle
   int fraction_bits = Quantity::kFraction;  // of slerp-paper
+  FrontEndOptions front_end;                // tolerance, subdivision
   ViewOptions view;
   bool view_given = false;  // an option that a packet file decides by itself
   std::string backpressure = "none";

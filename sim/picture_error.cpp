@@ -8,6 +8,7 @@
 
 #include "model/ideal/flat.h"
 #include "model/ideal/gouraud.h"
+#include "model/ideal/node_surface.h"
 #include "model/ideal/phong.h"
 #include "model/ideal/quadratic.h"
 #include "model/ideal/slerp.h"
@@ -34,17 +35,15 @@ void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, const Vi
 template <typename Visit>
 void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, Method method,
                   const Visit& visit) {
+  if (IsQuadRow(method)) return ForEachPixel<ideal::Quadratic>(picture, list, visit);
+  if (IsSpherical(method)) return ForEachPixel<ideal::Slerp>(picture, list, visit);
   switch (method) {
     case Method::kFlat: return ForEachPixel<ideal::Flat>(picture, list, visit);
     case Method::kGouraud: return ForEachPixel<ideal::Gouraud>(picture, list, visit);
-    case Method::kQuad: return ForEachPixel<ideal::Quadratic>(picture, list, visit);
-    case Method::kPhong:
-    case Method::kPhongDuff: return ForEachPixel<ideal::Phong>(picture, list, visit);
+    case Method::kQuadSplit: return ForEachPixel<ideal::QuadSplit>(picture, list, visit);
+    case Method::kQuadCosine: return ForEachPixel<ideal::QuadCosine>(picture, list, visit);
     case Method::kPhongTaylor: return ForEachPixel<ideal::PhongTaylor>(picture, list, visit);
-    case Method::kSlerp:
-    case Method::kSlerpPaper:
-    case Method::kSlerpDirect:
-    case Method::kSlerpIntensity: return ForEachPixel<ideal::Slerp>(picture, list, visit);
+    default: return ForEachPixel<ideal::Phong>(picture, list, visit);
   }
 }
 

@@ -54,6 +54,8 @@ Json ToJson(const RunStats& run) {
   json["unlit"] = run.counters.unlit;
   json["no_highlight"] = run.counters.no_highlight;
   json["split_spans"] = run.split_spans;
+  json["over_limit_triangles"] = run.over_limit;
+  json["pieces"] = run.pieces;
   json["lanes"] = run.lanes;
   if (run.comparison) {
     const Comparison& c = *run.comparison;
@@ -112,6 +114,8 @@ void RunStats::AddWork(const FrameWork& work, int64_t packets) {
   triangles += packets;
   spans += static_cast<int64_t>(work.spans.size());
   split_spans += work.split_spans;
+  over_limit += work.over_limit;
+  pieces += work.pieces;
   AddSkips(work.skipped, &skipped);
 }
 
@@ -125,6 +129,8 @@ void RunStats::Add(const RunStats& other) {
   counters.unlit += other.counters.unlit;
   counters.no_highlight += other.counters.no_highlight;
   split_spans += other.split_spans;
+  over_limit += other.over_limit;
+  pieces += other.pieces;
   AddSkips(other.skipped, &skipped);
   sim_seconds += other.sim_seconds;
   if (other.comparison) {
@@ -172,6 +178,10 @@ std::string Summary(const RunStats& run) {
   if (run.counters.unlit + run.counters.no_highlight + run.split_spans > 0) {
     text += fmt::format("\n  {} pixels unlit, {} without highlight, {} spans split",
                         run.counters.unlit, run.counters.no_highlight, run.split_spans);
+  }
+  if (run.over_limit > 0) {
+    text += fmt::format("\n  {} triangles turn too far for the tolerance{}", run.over_limit,
+                        run.pieces > 0 ? fmt::format(", split into {}", run.pieces) : "");
   }
   if (run.comparison) {
     const Comparison& c = *run.comparison;

@@ -34,6 +34,8 @@ struct RunStats {
   int64_t triangles = 0;  // packets
   int64_t spans = 0, cycles = 0;
   int64_t split_spans = 0;  // spans in two: their normals are over 90 degrees apart
+  int64_t over_limit = 0;   // triangles whose normals turn too far for the tolerance
+  int64_t pieces = 0;       // what they were split into
   int lanes = 1;            // pixels per cycle
   Counters counters;
   SkipCounts skipped;

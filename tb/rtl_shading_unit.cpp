@@ -17,6 +17,12 @@
 #include "Vshading_unit_phong_taylor___024root.h"
 #include "Vshading_unit_quad.h"
 #include "Vshading_unit_quad___024root.h"
+#include "Vshading_unit_quad_cosine.h"
+#include "Vshading_unit_quad_cosine___024root.h"
+#include "Vshading_unit_quad_forms.h"
+#include "Vshading_unit_quad_forms___024root.h"
+#include "Vshading_unit_quad_split.h"
+#include "Vshading_unit_quad_split___024root.h"
 #include "Vshading_unit_slerp.h"
 #include "Vshading_unit_slerp___024root.h"
 #include "Vshading_unit_slerp_direct.h"
@@ -28,30 +34,36 @@
 #include "tb/dut/shading_unit_dut.h"
 
 namespace shading::tb {
+namespace {
+
+template <typename Top>
+std::unique_ptr<RtlShadingUnit> OneLane() {
+  return std::make_unique<ShadingUnitDut<Top, 1>>();
+}
+
+}  // namespace
 
 std::unique_ptr<RtlShadingUnit> RtlShadingUnit::Create(Method method, int lanes) {
   if (lanes != 1) return CreateAll(lanes);
   switch (method) {
-    case Method::kFlat: return std::make_unique<ShadingUnitDut<Vshading_unit_flat, 1>>();
-    case Method::kGouraud: return std::make_unique<ShadingUnitDut<Vshading_unit_gouraud, 1>>();
-    case Method::kQuad: return std::make_unique<ShadingUnitDut<Vshading_unit_quad, 1>>();
-    case Method::kPhong: return std::make_unique<ShadingUnitDut<Vshading_unit_phong, 1>>();
-    case Method::kPhongTaylor:
-      return std::make_unique<ShadingUnitDut<Vshading_unit_phong_taylor, 1>>();
-    case Method::kPhongDuff: return std::make_unique<ShadingUnitDut<Vshading_unit_phong_duff, 1>>();
-    case Method::kSlerp: return std::make_unique<ShadingUnitDut<Vshading_unit_slerp, 1>>();
-    case Method::kSlerpPaper:
-      return std::make_unique<ShadingUnitDut<Vshading_unit_slerp_paper, 1>>();
-    case Method::kSlerpIntensity:
-      return std::make_unique<ShadingUnitDut<Vshading_unit_slerp_intensity, 1>>();
-    case Method::kSlerpDirect:
-      return std::make_unique<ShadingUnitDut<Vshading_unit_slerp_direct, 1>>();
+    case Method::kFlat: return OneLane<Vshading_unit_flat>();
+    case Method::kGouraud: return OneLane<Vshading_unit_gouraud>();
+    case Method::kQuad: return OneLane<Vshading_unit_quad>();
+    case Method::kQuadSplit: return OneLane<Vshading_unit_quad_split>();
+    case Method::kQuadCosine: return OneLane<Vshading_unit_quad_cosine>();
+    case Method::kPhong: return OneLane<Vshading_unit_phong>();
+    case Method::kPhongTaylor: return OneLane<Vshading_unit_phong_taylor>();
+    case Method::kPhongDuff: return OneLane<Vshading_unit_phong_duff>();
+    case Method::kSlerp: return OneLane<Vshading_unit_slerp>();
+    case Method::kSlerpPaper: return OneLane<Vshading_unit_slerp_paper>();
+    case Method::kSlerpIntensity: return OneLane<Vshading_unit_slerp_intensity>();
+    case Method::kSlerpDirect: return OneLane<Vshading_unit_slerp_direct>();
+    default: return OneLane<Vshading_unit_quad_forms>();
   }
-  return nullptr;
 }
 
 std::unique_ptr<RtlShadingUnit> RtlShadingUnit::CreateAll(int lanes) {
-  if (lanes == 1) return std::make_unique<ShadingUnitDut<Vshading_unit_all, 1>>();
+  if (lanes == 1) return OneLane<Vshading_unit_all>();
   return std::make_unique<ShadingUnitDut<Vshading_unit_all_x4, kMaxLanes>>();
 }
 

@@ -29,4 +29,14 @@ constexpr int64_t MultiplyRound(int64_t a, int64_t b, int bits) {
   return RoundShift(static_cast<Int128>(a) * b, bits);
 }
 
+// floor(sqrt(square)).
+constexpr uint64_t IntegerRoot(Uint128 square) {
+  uint64_t root = 0;
+  for (int bit = 63; bit >= 0; --bit) {
+    const uint64_t trial = root | uint64_t{1} << bit;
+    if (static_cast<Uint128>(trial) * trial <= square) root = trial;
+  }
+  return root;
+}
+
 }  // namespace shading

@@ -39,22 +39,36 @@ Light::Light(const FrameState& frame)
       half_(ToReal(frame.half)),
       view_(ToReal(frame.view)) {}
 
-double Light::SpecularCosine(const Vector& normal) const {
-  if (lighting_ == Lighting::kBlinn) return Dot(normal, half_);
-  const Vector reflected = Sum(Scaled(2 * Dot(normal, light_), normal), Scaled(-1, light_));
-  return Dot(reflected, view_);
+Light::Cosines Light::CosinesOf(const Vector& normal) const {
+  return {Dot(normal, light_), Dot(normal, lighting_ == Lighting::kBlinn ? half_ : view_)};
+}
+
+double Light::SpecularCosine(const Cosines& cosines) const {
+  if (lighting_ == Lighting::kBlinn) return cosines.n_dot_h_or_v;
+  return 2 * cosines.n_dot_l * cosines.n_dot_h_or_v - Dot(light_, view_);
+}
+
+Light::Terms Light::TermsOf(const Cosines& cosines, const Material& material) const {
+  const double highlight =
+      std::pow(std::clamp(SpecularCosine(cosines), 0.0, 1.0), material.shininess.ToReal());
+  Terms terms;
+  for (size_t c = 0; c < terms.ambient.size(); ++c) {
+    terms.ambient[c] = 255 * material.ambient[c].ToReal();
+    terms.diffuse[c] = 255 * material.diffuse[c].ToReal() * cosines.n_dot_l;
+    terms.specular[c] = 255 * material.specular[c].ToReal() * highlight;
+  }
+  return terms;
+}
+
+Rgb Light::ShadeCosines(const Cosines& cosines, const Material& material) const {
+  Cosines clamped = cosines;
+  clamped.n_dot_l = std::clamp(cosines.n_dot_l, 0.0, 1.0);
+  const Terms terms = TermsOf(cosines, material), lit = TermsOf(clamped, material);
+  return Clamped(Sum(terms.ambient, Sum(lit.diffuse, terms.specular)));
 }
 
 Rgb Light::Shade(const Vector& normal, const Material& material) const {
-  const double diffuse = std::clamp(Dot(normal, light_), 0.0, 1.0);
-  const double highlight =
-      std::pow(std::clamp(SpecularCosine(normal), 0.0, 1.0), material.shininess.ToReal());
-  Rgb codes;
-  for (size_t c = 0; c < codes.size(); ++c) {
-    codes[c] = 255 * (material.ambient[c].ToReal() + material.diffuse[c].ToReal() * diffuse +
-                      material.specular[c].ToReal() * highlight);
-  }
-  return Clamped(codes);
+  return ShadeCosines(CosinesOf(normal), material);
 }
 
 }  // namespace shading::ideal

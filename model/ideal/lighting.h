@@ -41,8 +41,21 @@ class Light {
 
   Rgb Shade(const Vector& normal, const Material& material) const;
 
+  // N.L, and N.H or N.V: linear in the normal.
+  struct Cosines {
+    double n_dot_l = 0, n_dot_h_or_v = 0;
+  };
+  Cosines CosinesOf(const Vector& normal) const;
+  // Shade from the cosines.
+  Rgb ShadeCosines(const Cosines& cosines, const Material& material) const;
+  // ka; kd (N.L), not clamped; ks (N.H)^n or ks (R.V)^n.
+  struct Terms {
+    Rgb ambient, diffuse, specular;
+  };
+  Terms TermsOf(const Cosines& cosines, const Material& material) const;
+
  private:
-  double SpecularCosine(const Vector& normal) const;
+  double SpecularCosine(const Cosines& cosines) const;
 
   Lighting lighting_;
   Vector light_, half_, view_;

@@ -33,11 +33,22 @@ class VertexLight {
 
   explicit VertexLight(const FrameState& frame) : light_(LightOf(frame)) {}
 
+  // The terms of the light apart, diffuse with N.L not clamped: for surfaces that are clamped per
+  // pixel. Each within 0.5 ulp of its own, beside the highlight's error above.
+  struct Terms {
+    std::array<SignedIntensity, kChannels> diffuse, specular;
+  };
+
   LightCosines Cosines(const Vector3& normal) const;
+  // ka of one channel.
+  static Intensity Ambient(const Material& material, size_t channel);
+  Terms ShadeTerms(const LightCosines& cosines, const Material& material) const;
   std::array<Intensity, kChannels> Shade(const LightCosines& cosines,
                                          const Material& material) const;
 
  private:
+  int64_t HighlightRaw(const LightCosines& cosines, const Material& material) const;
+
   LightState light_;
 };
 

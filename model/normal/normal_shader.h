@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/light/dot_product.h"
+#include "model/light/quad_cosine.h"
 #include "model/normal/duff_normalizer.h"
 #include "model/normal/length_recurrence.h"
 #include "model/normal/linear_recurrence.h"
@@ -34,6 +35,32 @@ constexpr Cosine RoundQuantity(Quantity value) {
 inline LightCosines CosinesOf(const PixelNormal& normal, const LightState& light) {
   return {DotProduct::Of(normal, light.light), DotProduct::Of(normal, light.half_or_view)};
 }
+
+// quad-cosine: two surfaces of second order.
+template <int kLanes>
+class QuadCosineShader {
+ public:
+  static constexpr int kLatency = 0;
+
+  explicit QuadCosineShader(const std::array<CurveSeed, kCosines>& seed) {
+    for (int j = 0; j < kLanes; ++j) {
+      n_dot_l_[static_cast<size_t>(j)] = QuadCosine(seed[0], j, kLanes);
+      n_dot_h_or_v_[static_cast<size_t>(j)] = QuadCosine(seed[1], j, kLanes);
+    }
+  }
+  LightCosines At(size_t lane, const LightState& /*light*/) const {
+    return {n_dot_l_[lane].value(), n_dot_h_or_v_[lane].value()};
+  }
+  void Step() {
+    for (size_t j = 0; j < kLanes; ++j) {
+      n_dot_l_[j].Step();
+      n_dot_h_or_v_[j].Step();
+    }
+  }
+
+ private:
+  std::array<QuadCosine, kLanes> n_dot_l_, n_dot_h_or_v_;
+};
 
 // phong, phong-taylor: a linear normal and its normalisation.
 template <typename Normalizer, int kLanes>

@@ -4,22 +4,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "model/light/mean_cosines.h"
 #include "model/normal/span_normals.h"
 #include "model/raster/span_walker.h"
-#include "model/raster/surface_fit.h"
+#include "model/raster/turn_limit.h"
 
 namespace shading {
 namespace {
-
-using NodeColors = std::array<std::array<Intensity, kChannels>, 3>;
-
-std::array<Intensity, 3> Channel(const NodeColors& colors, size_t ch) {
-  return {colors[0][ch], colors[1][ch], colors[2][ch]};
-}
-
-// Halves up to the 2^-16 of a code: where opposed normals leave the middle undefined.
-Intensity Mean(Intensity a, Intensity b) { return Intensity::FromRaw((a.raw() + b.raw() + 1) / 2); }
 
 void Count(Verdict verdict, SkipCounts* skipped) {
   switch (verdict) {
@@ -31,30 +21,18 @@ void Count(Verdict verdict, SkipCounts* skipped) {
   }
 }
 
-// Light at the middle of each edge, opposite each corner; nullopt as in MeanCosines.
-NodeColors MiddleColors(const VertexLight& light, const Material& material,
-                        const std::array<Vector3, 3>& normal,
-                        const std::array<LightCosines, 3>& cosines, const NodeColors& corner) {
-  NodeColors middle;
-  for (size_t k = 0; k < 3; ++k) {
-    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const auto mean = MeanCosines::Of<2>({normal[i], normal[j]}, {cosines[i], cosines[j]});
-    if (mean) {
-      middle[k] = light.Shade(*mean, material);
-    } else {
-      for (size_t ch = 0; ch < kChannels; ++ch) middle[k][ch] = Mean(corner[i][ch], corner[j][ch]);
-    }
-  }
-  return middle;
-}
-
 }  // namespace
 
-FrontEnd::FrontEnd(const FrameState& frame, Method method)
-    : frame_(frame), method_(method), light_(frame) {}
+FrontEnd::FrontEnd(const FrameState& frame, Method method, const FrontEndOptions& options)
+    : frame_(frame), method_(method), options_(options), fit_(frame, method) {
+  if (options.subdivide == Subdivide::kNever) return;
+  for (const Material& material : frame.materials) {
+    subdivision_.emplace_back(TurnLimit(method, material, options.tolerance));
+  }
+}
 
-FrameWork FrontEnd::Run(const TriangleList& list, Method method) {
-  const FrontEnd front_end(list.frame, method);
+FrameWork FrontEnd::Run(const TriangleList& list, Method method, const FrontEndOptions& options) {
+  const FrontEnd front_end(list.frame, method, options);
   FrameWork work = front_end.Begin();
   for (size_t i = 0; i < list.triangles.size(); ++i) {
     front_end.Add(list.triangles[i], static_cast<uint32_t>(i), &work);
@@ -65,7 +43,8 @@ FrameWork FrontEnd::Run(const TriangleList& list, Method method) {
 FrameWork FrontEnd::Begin() const {
   FrameWork work;
   work.method = method_;
-  if (!InterpolatesNormals(method_)) return work;
+  work.tolerance = options_.tolerance;
+  if (!LightsPixels(method_)) return work;
   if (frame_.materials.size() > kMaxMaterials) {
     throw std::length_error("the scene has " + std::to_string(frame_.materials.size()) +
                             " materials; methods that light every pixel hold " +
@@ -77,6 +56,19 @@ FrameWork FrontEnd::Begin() const {
 }
 
 void FrontEnd::Add(const TrianglePacket& packet, uint32_t index, FrameWork* work) const {
+  const bool too_far =
+      !subdivision_.empty() &&
+      subdivision_[static_cast<size_t>(packet.material)].TurnsTooFar(packet);
+  if (!too_far) return AddWhole(packet, index, work);
+  ++work->over_limit;
+  if (options_.subdivide == Subdivide::kReport) return AddWhole(packet, index, work);
+  std::vector<TrianglePacket> pieces;
+  subdivision_[static_cast<size_t>(packet.material)].Split(packet, &pieces);
+  work->pieces += static_cast<int64_t>(pieces.size());
+  for (const TrianglePacket& piece : pieces) AddWhole(piece, index, work);
+}
+
+void FrontEnd::AddWhole(const TrianglePacket& packet, uint32_t index, FrameWork* work) const {
   TriangleGeometry geometry;
   const Verdict verdict = TriangleSetup::Setup(packet, frame_, &geometry);
   Count(verdict, &work->skipped);
@@ -95,53 +87,18 @@ void FrontEnd::Add(const TrianglePacket& packet, uint32_t index, FrameWork* work
   triangle.origin_x = origin.x;
   triangle.origin_y = origin.y;
   triangle.dz_dx = DepthAcc::Wrap(static_cast<int64_t>(depth.dx));
+  triangle.material = packet.material;
   if (InterpolatesNormals(method_)) {
     using Interpolation = SpanNormals::Interpolation;
-    triangle.material = packet.material;
     work->split_spans += SpanNormals::Attach(
         geometry, packet, IsSpherical(method_) ? Interpolation::kSpherical : Interpolation::kLinear,
         first, triangle.dz_dx, &work->spans);
   } else {
-    triangle.surface = Fit(packet, geometry, origin);
+    fit_.Fit(packet, geometry, origin.x, origin.y, &triangle);
   }
   work->triangles.push_back(triangle);
   work->packet.push_back(index);
   work->pixels += pixels;
-}
-
-std::array<Surface, kChannels> FrontEnd::Fit(const TrianglePacket& packet,
-                                             const TriangleGeometry& geometry,
-                                             const SpanCommand& first) const {
-  const Material& material = frame_.materials[static_cast<size_t>(packet.material)];
-  std::array<Vector3, 3> normal;
-  std::array<LightCosines, 3> cosines;
-  for (size_t i = 0; i < 3; ++i) {
-    normal[i] = packet.n[static_cast<size_t>(geometry.corner[i])];
-    cosines[i] = light_.Cosines(normal[i]);
-  }
-
-  std::array<Surface, kChannels> surface;
-  if (method_ == Method::kFlat) {
-    const auto color = light_.Shade(MeanCosines::OfFace(normal, cosines), material);
-    for (size_t ch = 0; ch < kChannels; ++ch) surface[ch] = SurfaceFit::Constant(color[ch]);
-    return surface;
-  }
-
-  NodeColors corner;
-  for (size_t i = 0; i < 3; ++i) corner[i] = light_.Shade(cosines[i], material);
-  const auto plane = TriangleSetup::Barycentrics(geometry, first.x, first.y);
-  if (method_ == Method::kGouraud) {
-    for (size_t ch = 0; ch < kChannels; ++ch) {
-      surface[ch] = SurfaceFit::Linear(plane, Channel(corner, ch));
-    }
-    return surface;
-  }
-
-  const NodeColors middle = MiddleColors(light_, material, normal, cosines, corner);
-  for (size_t ch = 0; ch < kChannels; ++ch) {
-    surface[ch] = SurfaceFit::Quadratic(plane, {Channel(corner, ch), Channel(middle, ch)});
-  }
-  return surface;
 }
 
 }  // namespace shading

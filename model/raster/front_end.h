@@ -2,34 +2,45 @@
 #pragma once
 
 #include "model/frame_work.h"
-#include "model/light/vertex_light.h"
+#include "model/raster/subdivision.h"
+#include "model/raster/triangle_fit.h"
 #include "model/raster/triangle_setup.h"
 #include "model/triangle_packet.h"
 
 namespace shading {
 
+// What to do with a triangle whose normals turn too far for the tolerance.
+enum class Subdivide { kNever, kReport, kSplit };
+
+struct FrontEndOptions {
+  Tolerance tolerance = Tolerance::FromRaw(int64_t{1} << (Tolerance::kFraction - 1));  // 1/2 code
+  Subdivide subdivide = Subdivide::kNever;
+};
+
 // Triangle packets to the commands of the shading unit, integers only: set-up, span walk, vertex
 // lighting and surface fit. A triangle that covers no pixel is counted, and neither lit nor fitted.
 class FrontEnd {
  public:
-  FrontEnd(const FrameState& frame, Method method);
+  FrontEnd(const FrameState& frame, Method method, const FrontEndOptions& options = {});
 
-  // Throws std::length_error when a method that interpolates normals meets more than kMaxMaterials.
-  static FrameWork Run(const TriangleList& list, Method method);
+  // Throws std::length_error when a method that lights every pixel meets more than kMaxMaterials.
+  static FrameWork Run(const TriangleList& list, Method method,
+                       const FrontEndOptions& options = {});
 
   // A frame without triangles.
   FrameWork Begin() const;
 
-  // Appends the triangle and its spans to `work`, or counts why not.
+  // Appends the triangle, or what it is split into, and its spans to `work`, or counts why not.
   void Add(const TrianglePacket& packet, uint32_t index, FrameWork* work) const;
 
  private:
-  std::array<Surface, kChannels> Fit(const TrianglePacket& packet, const TriangleGeometry& geometry,
-                                     const SpanCommand& first) const;
+  void AddWhole(const TrianglePacket& packet, uint32_t index, FrameWork* work) const;
 
   const FrameState& frame_;
   Method method_;
-  VertexLight light_;
+  FrontEndOptions options_;
+  TriangleFit fit_;
+  std::vector<Subdivision> subdivision_;  // of each material; none where nothing is subdivided
 };
 
 }  // namespace shading

@@ -6,24 +6,29 @@
 
 namespace shading {
 
-// Bit-exact model of rtl/raster/span_setup.sv: row start and first difference of three channels.
+// Bit-exact model of rtl/raster/span_setup.sv: row start and first difference of the surfaces.
 //
-//   quad      I = x (Ax + Cy + D) + y (By + E) + F    paper 003 (9)
+//   quad ...  I = x (Ax + Cy + D) + y (By + E) + F    paper 003 (9)
 //             I(x+1) - I(x) = 2Ax + A + Cy + D        paper 003 (3)
 //   gouraud   I = D x + E y + F
 //   flat      I = F
+//   quad-polynomial, quad-horner: the coefficients and the pixel themselves
 //
-// Coefficients S9.26, coordinates from the triangle's origin. Sums and products keep the low 36
-// bits, so the result is exact whenever it lies in S9.26. Fields that a method does not use are 0.
+// Coordinates from the triangle's origin. The hardware steps from row to row by differences in y;
+// sums and products keep the low bits, 36 of an intensity's and 46 of a cosine's, so that gives the
+// same and is exact whenever the result is in range. Fields that a method does not use are 0.
 class SpanSetup {
  public:
   static constexpr UnitContract kContract = {
-      "span_setup",      "raster", 7, 5, "coefficients S9.26, coordinates S12.0", "seed S9.26", 0,
-      "results in S9.26"};
+      "span_setup", "raster", 4, 2, "coefficients S9.26, S1.44, coordinates S12.0",
+      "seed S9.26, S1.44", 0, "results in range"};
 
-  // Products of one span, and cycles between two spans of the method: one of intensities.
-  static constexpr int Steps(Method method) {
-    return method == Method::kQuad ? 5 : method == Method::kGouraud ? 2 : 1;
+  // Cycles between two spans of the method, the second `rows` below the first; 0 for the first span
+  // of a triangle.
+  static constexpr int Steps(Method method, int rows) {
+    if (method == Method::kFlat || IsPointForm(method)) return 1;
+    if (method == Method::kGouraud) return rows > 1 ? rows : 1;
+    return rows > 0 ? rows + 1 : 2;
   }
 
   static void Seed(Method method, const TriangleState& triangle, const SpanCommand& span,

@@ -6,20 +6,51 @@
 namespace shading {
 namespace {
 
-// Sums of products with this many fraction bits: two barycentrics and an intensity.
-constexpr int kSumFraction = 2 * TriangleSetup::kBarycentricFraction + Intensity::kFraction;
-constexpr int kShift = kSumFraction - IntensityAcc::kFraction;
+constexpr int kBarycentric = TriangleSetup::kBarycentricFraction;
 constexpr uint64_t kHalfCode = uint64_t{1} << (IntensityAcc::kFraction - 1);
 
 // Sign-extends, so that products are exact modulo 2^128.
 Uint128 Wide(uint64_t value) {
   return static_cast<Uint128>(static_cast<Int128>(static_cast<int64_t>(value)));
 }
-Uint128 Wide(Intensity value) { return static_cast<Uint128>(value.raw()); }
+template <typename Value>
+Uint128 Raw(Value value) {
+  return static_cast<Uint128>(static_cast<Int128>(value.raw()));
+}
 
-IntensityAcc RoundSum(Uint128 sum, uint64_t bias = 0) {
+// A sum of two barycentrics and a node's value each, to a coefficient.
+template <typename Coefficient, typename Node>
+Coefficient RoundSum(Uint128 sum, uint64_t bias = 0) {
+  constexpr int kShift = 2 * kBarycentric + Node::kFraction - Coefficient::kFraction;
   const Uint128 rounded = (sum + (Uint128{1} << (kShift - 1))) >> kShift;
-  return IntensityAcc::Wrap(static_cast<int64_t>(static_cast<uint64_t>(rounded) + bias));
+  return Coefficient::Wrap(static_cast<int64_t>(static_cast<uint64_t>(rounded) + bias));
+}
+
+template <typename Coefficient, typename Node>
+BasicSurface<Coefficient> FitQuadratic(const std::array<Plane, 3>& barycentric,
+                                       const Nodes<Node>& nodes, uint64_t bias) {
+  Uint128 a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;
+  for (size_t k = 0; k < 3; ++k) {
+    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const Plane& li = barycentric[i];
+    const Plane& lj = barycentric[j];
+    // 4 e_ij, exact: the middle opposite corner k.
+    const Uint128 bend = 4 * Raw(nodes.middle[k]) - 2 * (Raw(nodes.corner[i]) + Raw(nodes.corner[j]));
+    a += bend * Wide(li.dx) * Wide(lj.dx);
+    b += bend * Wide(li.dy) * Wide(lj.dy);
+    c += bend * (Wide(li.dx) * Wide(lj.dy) + Wide(lj.dx) * Wide(li.dy));
+    d += bend * (Wide(li.dx) * Wide(lj.at_origin) + Wide(lj.dx) * Wide(li.at_origin));
+    e += bend * (Wide(li.dy) * Wide(lj.at_origin) + Wide(lj.dy) * Wide(li.at_origin));
+    f += bend * Wide(li.at_origin) * Wide(lj.at_origin);
+
+    const Uint128 value = Raw(nodes.corner[k]) << kBarycentric;
+    d += value * Wide(barycentric[k].dx);
+    e += value * Wide(barycentric[k].dy);
+    f += value * Wide(barycentric[k].at_origin);
+  }
+  return {RoundSum<Coefficient, Node>(a), RoundSum<Coefficient, Node>(b),
+          RoundSum<Coefficient, Node>(c), RoundSum<Coefficient, Node>(d),
+          RoundSum<Coefficient, Node>(e), RoundSum<Coefficient, Node>(f, bias)};
 }
 
 }  // namespace
@@ -35,36 +66,27 @@ Surface SurfaceFit::Linear(const std::array<Plane, 3>& barycentric,
                            const std::array<Intensity, 3>& corner) {
   Uint128 d = 0, e = 0, f = 0;
   for (size_t i = 0; i < 3; ++i) {
-    const Uint128 value = Wide(corner[i]) << TriangleSetup::kBarycentricFraction;
+    const Uint128 value = Raw(corner[i]) << kBarycentric;
     d += Wide(barycentric[i].dx) * value;
     e += Wide(barycentric[i].dy) * value;
     f += Wide(barycentric[i].at_origin) * value;
   }
-  return {{}, {}, {}, RoundSum(d), RoundSum(e), RoundSum(f, kHalfCode)};
+  const auto round = RoundSum<IntensityAcc, Intensity>;
+  return {{}, {}, {}, round(d, 0), round(e, 0), round(f, kHalfCode)};
 }
 
 Surface SurfaceFit::Quadratic(const std::array<Plane, 3>& barycentric, const SurfaceNodes& nodes) {
-  Uint128 a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;
-  for (size_t k = 0; k < 3; ++k) {
-    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const Plane& li = barycentric[i];
-    const Plane& lj = barycentric[j];
-    // 4 e_ij, exact: the middle opposite corner k.
-    const Uint128 bend = 4 * Wide(nodes.middle[k]) -
-                         2 * (Wide(nodes.corner[i]) + Wide(nodes.corner[j]));
-    a += bend * Wide(li.dx) * Wide(lj.dx);
-    b += bend * Wide(li.dy) * Wide(lj.dy);
-    c += bend * (Wide(li.dx) * Wide(lj.dy) + Wide(lj.dx) * Wide(li.dy));
-    d += bend * (Wide(li.dx) * Wide(lj.at_origin) + Wide(lj.dx) * Wide(li.at_origin));
-    e += bend * (Wide(li.dy) * Wide(lj.at_origin) + Wide(lj.dy) * Wide(li.at_origin));
-    f += bend * Wide(li.at_origin) * Wide(lj.at_origin);
+  return FitQuadratic<IntensityAcc>(barycentric, nodes, kHalfCode);
+}
 
-    const Uint128 value = Wide(nodes.corner[k]) << TriangleSetup::kBarycentricFraction;
-    d += value * Wide(barycentric[k].dx);
-    e += value * Wide(barycentric[k].dy);
-    f += value * Wide(barycentric[k].at_origin);
-  }
-  return {RoundSum(a), RoundSum(b), RoundSum(c), RoundSum(d), RoundSum(e), RoundSum(f, kHalfCode)};
+Surface SurfaceFit::Term(const std::array<Plane, 3>& barycentric,
+                         const Nodes<SignedIntensity>& nodes) {
+  return FitQuadratic<IntensityAcc>(barycentric, nodes, 0);
+}
+
+CosineSurface SurfaceFit::OfCosine(const std::array<Plane, 3>& barycentric,
+                                   const Nodes<Cosine>& nodes) {
+  return FitQuadratic<CosineAcc>(barycentric, nodes, 0);
 }
 
 }  // namespace shading

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "model/light/cosine.h"
 #include "model/raster/triangle_setup.h"
 #include "model/shading_types.h"
 #include "model/triangle_packet.h"
@@ -10,12 +11,13 @@
 
 namespace shading {
 
-// Intensities of one channel at the nodes of a triangle: corner i, and the middle of the edge
-// opposite corner i.
-struct SurfaceNodes {
-  std::array<Intensity, 3> corner;
-  std::array<Intensity, 3> middle;
+// Values at the nodes of a triangle: corner i, and the middle of the edge opposite corner i.
+template <typename Value>
+struct Nodes {
+  std::array<Value, 3> corner;
+  std::array<Value, 3> middle;
 };
+using SurfaceNodes = Nodes<Intensity>;
 
 // The second-order surface through the six nodes of a triangle, paper 003 (2), in closed form. With
 // barycentrics l_i = a_i x + b_i y + c_i and e_ij = I_ij - (I_i + I_j) / 2:
@@ -23,22 +25,27 @@ struct SurfaceNodes {
 //   I = sum l_i I_i + 4 sum l_i l_j e_ij
 //   A = 4 sum a_i a_j e_ij,  B = 4 sum b_i b_j e_ij,  C = 4 sum (a_i b_j + a_j b_i) e_ij, ...
 //
-// Coefficients are rounded to nearest S9.26 and kept modulo 2^36: a sliver's may be far out of
-// range, its pixels never are (-85..340 for nodes 0..255). F carries the half code for rounding.
+// Coefficients are rounded to nearest and kept modulo 2^36 (S9.26), cosines' modulo 2^46 (S1.44): a
+// sliver's may be far out of range, its pixels never are (-85..340 for nodes 0..255). F of an
+// intensity carries the half code for rounding; that of a term or a cosine does not.
 //
-// Error     0.40 codes on screens of 4096 x 4096 pixels, 0.11 on 2048 x 2048: coefficients
-//           (x^2 + xy + y^2 + x + y + 1) 2^-27, barycentrics 2295 (x + y + 1) 2^-31.
+// Error     0.38 codes on screens of 4096 x 4096 pixels, 0.10 on 2048 x 2048: coefficients
+//           (x^2 + xy + y^2 + x + y + 1) 2^-27, barycentrics 2295 (x + y + 1) 2^-34. Cosines: 2^-17.8
+//           and 2^-18.8, coefficients (..) 2^-45 and barycentrics 15 (x + y + 1) 2^-34.
 class SurfaceFit {
  public:
   static constexpr UnitContract kContract = {
-      "surface_fit", "raster", 0, 0, "nodes U8.16, barycentric planes S1.30",
-      "coefficients S9.26, modulo 2^36", 0.4,
+      "surface_fit", "raster", 0, 0, "nodes U8.16, cosines S1.30, barycentric planes S1.33",
+      "coefficients S9.26, S1.44, modulo 2^36, 2^46", 0.4,
       "in codes, before rounding, on screens of 4096 x 4096 pixels"};
 
   static Surface Constant(Intensity value);
   static Surface Linear(const std::array<Plane, 3>& barycentric,
                         const std::array<Intensity, 3>& corner);
   static Surface Quadratic(const std::array<Plane, 3>& barycentric, const SurfaceNodes& nodes);
+  static Surface Term(const std::array<Plane, 3>& barycentric, const Nodes<SignedIntensity>& nodes);
+  static CosineSurface OfCosine(const std::array<Plane, 3>& barycentric,
+                                const Nodes<Cosine>& nodes);
 };
 
 }  // namespace shading

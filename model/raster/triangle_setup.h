@@ -18,7 +18,7 @@ struct Edge {
   bool top_left = false;  // pixels with w = 0 belong to the triangle
 };
 
-// A quantity that is affine on the triangle: value(x, y) = at_origin + x dx + y dy. 30 fraction bits
+// A quantity that is affine on the triangle: value(x, y) = at_origin + x dx + y dy. 33 fraction bits
 // for barycentrics, 38 for depth; kept modulo 2^64, as two's complement.
 struct Plane {
   uint64_t at_origin = 0, dx = 0, dy = 0;
@@ -43,17 +43,17 @@ enum class Verdict { kDraw, kBackFacing, kDegenerate, kOffScreen, kEmpty };
 // planes of the barycentrics and of the depth.
 //
 // Pixel (i, j) is sampled at (i + 1/2, j + 1/2). Vertices are S13.8 pixels. The barycentrics'
-// planes are rounded to 2^-31: corners 0 and 1 at most 2^-18 off anywhere on a
-// 4096 x 4096 screen, corner 2 at most 2^-17. The depth plane
+// planes are rounded to 2^-34: corners 0 and 1 at most 2^-21 off anywhere on a
+// 4096 x 4096 screen, corner 2 at most 2^-20. The depth plane
 // counts from the corner of the bounding box and is rounded to 2^-39, with half an ulp of U0.24
 // added: at most 1/4 ulp off.
 class TriangleSetup {
  public:
   static constexpr UnitContract kContract = {
       "triangle_setup", "raster", 0, 0, "vertices S13.8, depth U0.24",
-      "barycentric planes S1.30, depth plane S1.38", 0.25,
+      "barycentric planes S1.33, depth plane S1.38", 0.25,
       "depth in ulp of U0.24 on screens of 4096 x 4096 pixels, before rounding"};
-  static constexpr int kBarycentricFraction = 30;
+  static constexpr int kBarycentricFraction = 33;
 
   static Verdict Setup(const TrianglePacket& packet, const FrameState& frame,
                        TriangleGeometry* geometry);

@@ -81,6 +81,9 @@ DeviceError DecodeFrame(const RegisterFile& registers, FrameSetup* setup) {
   if (std::max({lighting, cull, registers.Get(OffsetOf("DEPTH_TEST"))}) > 1) {
     return DeviceError::kState;
   }
+  const uint32_t tolerance = registers.Get(OffsetOf("TOLERANCE"));
+  if (tolerance > Tolerance::kMaxRaw) return DeviceError::kState;
+  setup->tolerance = Tolerance::FromRaw(tolerance);
   FrameState& state = setup->state;
   state.lighting = static_cast<Lighting>(lighting);
   state.cull = static_cast<Cull>(cull);

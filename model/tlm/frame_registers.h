@@ -24,6 +24,7 @@ struct FrameBuffer {
 struct FrameSetup {
   FrameState state;
   Method method = Method::kFlat;
+  Tolerance tolerance;
   FrameBuffer target;
 };
 

@@ -59,6 +59,7 @@ inline constexpr std::array kRegisterMap = {
     Register{"VIEW_X", 0x048, 1, Access::kReadWrite, 0, "S1.22, unit vector to the viewer"},
     Register{"VIEW_Y", 0x04c, 1, Access::kReadWrite, 0, ""},
     Register{"VIEW_Z", 0x050, 1, Access::kReadWrite, kUnit, ""},
+    Register{"TOLERANCE", 0x054, 1, Access::kReadWrite, 1u << 11, "U4.12 codes, quad-segment"},
     Register{"COLOR_BASE", 0x058, 2, Access::kReadWrite, 0, "bus address, multiple of 4"},
     Register{"COLOR_STRIDE", 0x060, 1, Access::kReadWrite, 0, "bytes, >= 4 WIDTH, multiple of 4"},
     Register{"DEPTH_TEST", 0x064, 1, Access::kReadWrite, 0,
@@ -133,7 +134,7 @@ enum class DeviceError : uint8_t {
 inline constexpr std::array<std::string_view, 13> kErrorText = {
     "none",
     "METHOD is not built in",
-    "LIGHTING, CULL or DEPTH_TEST above 1",
+    "LIGHTING, CULL or DEPTH_TEST above 1, or TOLERANCE above 65535",
     "WIDTH or HEIGHT outside 1..4096",
     "LIGHT, HALF or VIEW not unit within 2^-10",
     "MATERIAL_COUNT above 256, or a reflectance above 1 or a shininess outside 1..256",

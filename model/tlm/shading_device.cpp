@@ -112,7 +112,8 @@ void ShadingDevice::Start() {
   discard_ = error_ != DeviceError::kNone;
   frame_work_ = FrameWork();
   if (!discard_) {
-    front_end_ = std::make_unique<FrontEnd>(setup_.state, setup_.method);
+    front_end_ = std::make_unique<FrontEnd>(
+        setup_.state, setup_.method, FrontEndOptions{setup_.tolerance, Subdivide::kNever});
     frame_work_ = front_end_->Begin();
   }
   packets_ = 0;

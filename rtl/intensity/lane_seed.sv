@@ -6,29 +6,32 @@
 //   D' = I(j + Lanes) - I(j) = Lanes D + (Lanes j + Lanes (Lanes - 1) / 2) 2A,  2A' = Lanes^2 2A
 //
 // Timing    Combinational; additions of shifted terms only.
-// Formats   S9.26, modulo 2^36: exact, so lanes show the same intensities as one.
+// Formats   S9.26 modulo 2^36, or the S1.44 of a cosine modulo 2^46: exact, so lanes show the same
+//           intensities as one.
 // Error     None.
 // Model     model/intensity/lane_seed.h      Doc  docs/units/intensity/lane_seed.md
 module lane_seed
   import shading_pkg::*;
 #(
+  parameter type value_t = intensity_acc_t,
+  parameter type seed_t = channel_seed_t,
   parameter int unsigned Lane = 0,
   parameter int unsigned Lanes = 1
 ) (
-  input  channel_seed_t seed_i,    // fields that a method does not use are not used here either
-  output channel_seed_t seed_o
+  input  seed_t seed_i,            // second is not used where Lanes > 1
+  output seed_t seed_o
 );
   localparam int unsigned Latency = 0;
 
-  localparam intensity_acc_t First = intensity_acc_t'(Lane);
-  localparam intensity_acc_t FirstPairs = intensity_acc_t'(32'(Lane * (Lane - 1) / 2));
-  localparam intensity_acc_t Second = intensity_acc_t'(32'(Lane + Lanes));
-  localparam intensity_acc_t SecondPairs =
-    intensity_acc_t'(32'((Lane + Lanes) * (Lane + Lanes - 1) / 2));
-  localparam intensity_acc_t Stride = intensity_acc_t'(Lanes);
-  localparam intensity_acc_t StridePairs =
-    intensity_acc_t'(32'(Lanes * Lane + Lanes * (Lanes - 1) / 2));
-  localparam intensity_acc_t StrideSquare = intensity_acc_t'(32'(Lanes * Lanes));
+  localparam value_t First = value_t'(Lane);
+  localparam value_t FirstPairs = value_t'(32'(Lane * (Lane - 1) / 2));
+  localparam value_t Second = value_t'(32'(Lane + Lanes));
+  localparam value_t SecondPairs =
+    value_t'(32'((Lane + Lanes) * (Lane + Lanes - 1) / 2));
+  localparam value_t Stride = value_t'(Lanes);
+  localparam value_t StridePairs =
+    value_t'(32'(Lanes * Lane + Lanes * (Lanes - 1) / 2));
+  localparam value_t StrideSquare = value_t'(32'(Lanes * Lanes));
 
   if (Lanes == 1) begin : gen_one
     assign seed_o = seed_i;

@@ -2,68 +2,98 @@
 //
 // The methods that interpolate intensities, for every lane and channel: no light per pixel.
 //
-//   seed -> lane_seed -> flat_color | gouraud_interpolator | quad_surface -> code
+//   seed -> lane_seed -> one unit a method -> code
+//   seed ->              flat_color -> code
+//   point ->             quad_polynomial | quad_horner -> code
 //
 // Timing    Latency 1 cycle from load_i to the codes of the first pixels, then Lanes per step_i.
 // Formats   seeds S9.26, codes U8.0.
-// Error     That of the unit in use. Lanes show the same codes as one lane does.
+// Error     That of the unit in use. Lanes show the same codes as one lane does; quad-segment's lanes
+//           have their own segments, each within the tolerance.
 // Model     ShadeSpan in model/shading_unit.cpp      Doc  docs/units/shading_unit.md
 module surface_shader
   import light_pkg::*;
   import shading_pkg::*;
 #(
-  parameter methods_t Methods = SurfaceMethods,
+  parameter methods_t Methods = SurfaceMethods & ~LitMethods,
   parameter int unsigned Lanes = 1
 ) (
-  input  logic    clk_i,
-  input  method_e method_i,          // stable while pixels are inside
-  input  logic    load_i,
-  input  logic    step_i,
-  input  channel_seed_t [Channels-1:0] seed_i,
+  input  logic       clk_i,
+  input  method_e    method_i,       // method and tolerance are stable while pixels are inside
+  input  tolerance_t tolerance_i,
+  input  logic       load_i,
+  input  logic       step_i,
+  input  channel_seed_t  [Channels-1:0] seed_i,
+  input  split_seed_t    [Channels-1:0] split_i,
+  input  surface_point_t [Channels-1:0] point_i,
   output code_t [Lanes-1:0][Channels-1:0] code_o
 );
   localparam int unsigned Latency = 1;
 
-  logic is_flat, is_gouraud, is_quad;
-  assign is_flat    = is_method(Methods, method_i, MethodFlat);
-  assign is_gouraud = is_method(Methods, method_i, MethodGouraud);
-  assign is_quad    = is_method(Methods, method_i, MethodQuad);
+  methods_t active;                  // the frame's method, of those that are built
+  for (genvar m = 0; m < NumMethods; m++) begin : gen_active
+    assign active[m] = is_method(Methods, method_i, method_e'(m));
+  end
 
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
     for (genvar ch = 0; ch < Channels; ch++) begin : gen_channel
-      code_t flat_code, gouraud_code, quad_code;
+      channel_seed_t         curve;
+      code_t [NumMethods-1:0] code;  // by method
 
-      if (Methods[MethodFlat]) begin : gen_flat
-        flat_color u_flat_color (
-          .clk_i, .load_i(load_i && is_flat), .seed_i(seed_i[ch]), .code_o(flat_code));
-      end else begin : gen_no_flat
-        assign flat_code = '0;
+      lane_seed #(.Lane(lane), .Lanes(Lanes)) u_lane_seed (.seed_i(seed_i[ch]), .seed_o(curve));
+
+      for (genvar m = 0; m < NumMethods; m++) begin : gen_method
+        logic load, step;
+        assign load = load_i && active[m];
+        assign step = step_i && active[m];
+        if (!Methods[m]) begin : gen_none
+          assign code[m] = '0;
+        end else if (m == MethodFlat) begin : gen_flat
+          flat_color u_flat_color (.clk_i, .load_i(load), .seed_i(seed_i[ch]), .code_o(code[m]));
+        end else if (m == MethodGouraud) begin : gen_gouraud
+          gouraud_interpolator u_gouraud_interpolator (
+            .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
+        end else if (m == MethodQuad) begin : gen_quad
+          quad_surface u_quad_surface (
+            .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
+        end else if (m == MethodQuadPolynomial) begin : gen_polynomial
+          quad_polynomial #(.Lane(lane), .Lanes(Lanes)) u_quad_polynomial (
+            .clk_i, .load_i(load), .step_i(step), .point_i(point_i[ch]), .code_o(code[m]));
+        end else if (m == MethodQuadHorner) begin : gen_horner
+          quad_horner #(.Lane(lane), .Lanes(Lanes)) u_quad_horner (
+            .clk_i, .load_i(load), .step_i(step), .point_i(point_i[ch]), .code_o(code[m]));
+        end else if (m == MethodQuadStep) begin : gen_step
+          quad_step u_quad_step (
+            .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
+        end else if (m == MethodQuadMidpoint) begin : gen_midpoint
+          quad_midpoint u_quad_midpoint (
+            .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
+        end else if (m == MethodQuadThreeTerm) begin : gen_three_term
+          quad_three_term u_quad_three_term (
+            .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
+        end else if (m == MethodQuadThirdDifference) begin : gen_third_difference
+          quad_third_difference u_quad_third_difference (
+            .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
+        end else if (m == MethodQuadSegment) begin : gen_segment
+          quad_segment u_quad_segment (
+            .clk_i, .load_i(load), .step_i(step), .tolerance_i, .seed_i(curve), .code_o(code[m]));
+        end else if (m == MethodQuadDifference) begin : gen_difference
+          quad_difference u_quad_difference (
+            .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
+        end else begin : gen_split
+          channel_seed_t highlight;
+          lane_seed #(.Lane(lane), .Lanes(Lanes)) u_specular_lane_seed (
+            .seed_i(split_i[ch].specular), .seed_o(highlight));
+          quad_split u_quad_split (
+            .clk_i, .load_i(load), .step_i(step), .diffuse_i(curve),
+            .split_i('{specular: highlight, ambient: split_i[ch].ambient}), .code_o(code[m]));
+        end
       end
 
-      if (Methods[MethodGouraud]) begin : gen_gouraud
-        channel_seed_t line, lane_line;
-        assign line = '{first: seed_i[ch].first, second: '0,
-                        difference: seed_i[ch].difference, curvature: '0};
-        lane_seed #(.Lane(lane), .Lanes(Lanes)) u_lane_seed (.seed_i(line), .seed_o(lane_line));
-        gouraud_interpolator u_gouraud_interpolator (
-          .clk_i, .load_i(load_i && is_gouraud), .step_i(step_i && is_gouraud),
-          .seed_i(lane_line), .code_o(gouraud_code));
-      end else begin : gen_no_gouraud
-        assign gouraud_code = '0;
+      always_comb begin
+        code_o[lane][ch] = '0;
+        for (int m = 0; m < NumMethods; m++) if (active[m]) code_o[lane][ch] = code[m];
       end
-
-      if (Methods[MethodQuad]) begin : gen_quad
-        channel_seed_t lane_curve;
-        lane_seed #(.Lane(lane), .Lanes(Lanes)) u_lane_seed (
-          .seed_i(seed_i[ch]), .seed_o(lane_curve));
-        quad_surface u_quad_surface (
-          .clk_i, .load_i(load_i && is_quad), .step_i(step_i && is_quad),
-          .seed_i(lane_curve), .code_o(quad_code));
-      end else begin : gen_no_quad
-        assign quad_code = '0;
-      end
-
-      assign code_o[lane][ch] = is_quad ? quad_code : is_gouraud ? gouraud_code : flat_code;
     end
   end
 endmodule

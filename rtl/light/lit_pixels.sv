@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pixels of the methods that interpolate normals or cosines, from the walker's positions on.
+// Pixels of the methods that light every pixel, from the walker's positions on.
 //
 //   load, step -> normal_shader -> cosines -> pixel_light -> code -> pixel_queue -> pixel
 //
@@ -15,7 +15,7 @@ module lit_pixels
   import normal_pkg::*;
   import shading_pkg::*;
 #(
-  parameter methods_t Methods = ~SurfaceMethods,
+  parameter methods_t Methods = LitMethods,
   parameter int unsigned Lanes = 1
 ) (
   input  logic            clk_i,
@@ -36,6 +36,7 @@ module lit_pixels
   input  kappa_t                                     kappa_i,
   input  kappa_t [1:0]                               step_kappa_i,
   input  arc_t                                       arc_i,
+  input  curve_seed_t [Cosines-1:0]                  cosine_i,
 
   // From the walker.
   input  logic                  enter_valid_i,
@@ -61,7 +62,7 @@ module lit_pixels
 
   normal_shader #(.Methods(Methods), .Lanes(Lanes)) u_normal_shader (
     .clk_i, .rst_ni, .method_i, .light_i,
-    .load_i, .step_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i,
+    .load_i, .step_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i, .cosine_i,
     .valid_i  (enter_valid_i && enter_ready_o),
     .valid_o  (cosines_valid),
     .cosines_o(cosines)

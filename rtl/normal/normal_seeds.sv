@@ -8,7 +8,7 @@
 // Streams   ready/valid; a payload holds until taken.
 // Formats   normal_pkg.
 // Error     That of the units on the way.
-// Model     ShadeNormals in model/shading_unit.cpp      Doc  docs/units/shading_unit.md
+// Model     LightPixels in model/shading_unit.cpp      Doc  docs/units/shading_unit.md
 module normal_seeds
   import light_pkg::*;
   import normal_pkg::*;

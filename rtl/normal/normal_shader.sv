@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The methods that interpolate normals or cosines: cosines of every pixel, for every lane.
+// The methods that light every pixel: cosines of every pixel, for every lane.
 //
+//   quad-cosine      quad_cosine x 2
 //   phong            linear_recurrence x 3 -> phong_direct      -> dot_product x 2
 //   phong-taylor     linear_recurrence x 3 -> taylor_normalizer -> dot_product x 2
 //   phong-duff       linear_recurrence x 2 + length_recurrence  -> duff_normalizer
@@ -12,7 +13,7 @@
 //
 // Timing    The recurrences march with the walker: 1 cycle from load_i to the first pixels. From
 //           valid_i, in whose cycle the pixels leave the walker, to valid_o: 0 cycles for
-//           slerp-intensity, else the sum of the units on the way. Never stops.
+//           slerp-intensity and quad-cosine, else the sum of the units on the way. Never stops.
 // Formats   quantities S1.38, normals S1.24, cosines S1.30, each rounded to nearest once.
 // Error     That of the units on the way.
 // Model     model/normal/normal_shader.h      Doc  docs/units/shading_unit.md
@@ -21,7 +22,7 @@ module normal_shader
   import normal_pkg::*;
   import shading_pkg::*;
 #(
-  parameter methods_t Methods = ~SurfaceMethods,
+  parameter methods_t Methods = LitMethods,
   parameter int unsigned Lanes = 1
 ) (
   input  logic    clk_i,
@@ -36,11 +37,13 @@ module normal_shader
   input  kappa_t                                     kappa_i,       // of one stride
   input  kappa_t [1:0]                               step_kappa_i,  // of one and of two pixels
   input  arc_t                                       arc_i,
+  input  curve_seed_t [Cosines-1:0]                  cosine_i,
 
   input  logic                 valid_i,
   output logic                 valid_o,
   output cosines_t [Lanes-1:0] cosines_o
 );
+  localparam bit HasCosine = Methods[MethodQuadCosine];
   localparam bit HasPhong = Methods[MethodPhong];
   localparam bit HasTaylor = Methods[MethodPhongTaylor];
   localparam bit HasDuff = Methods[MethodPhongDuff];
@@ -55,7 +58,8 @@ module normal_shader
   localparam int unsigned SlerpQuantities = HasSlerp ? 3 : HasIntensity ? 2 : 0;
 
   logic is_phong, is_taylor, is_duff, is_slerp, is_paper, is_intensity, is_linear, is_reinsch;
-  logic is_direct;
+  logic is_direct, is_cosine;
+  assign is_cosine    = is_method(Methods, method_i, MethodQuadCosine);
   assign is_direct    = is_method(Methods, method_i, MethodSlerpDirect);
   assign is_phong     = is_method(Methods, method_i, MethodPhong);
   assign is_taylor    = is_method(Methods, method_i, MethodPhongTaylor);
@@ -111,7 +115,7 @@ module normal_shader
 
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_cosines
     logic     vector_valid, dot_valid, duff_valid;
-    cosines_t dot, duff, interpolated;
+    cosines_t dot, duff, interpolated, curved;
 
     if (HasVector) begin : gen_vector
       logic                           phong_valid, taylor_valid, direct_valid;
@@ -178,9 +182,20 @@ module normal_shader
       assign duff            = '0;
     end
 
+    if (HasCosine) begin : gen_curve
+      quad_cosine #(.Lane(lane), .Lanes(Lanes)) u_n_dot_l_curve (
+        .clk_i, .load_i(load_i && is_cosine), .step_i(step_i && is_cosine),
+        .seed_i(cosine_i[0]), .cosine_o(curved.n_dot_l));
+      quad_cosine #(.Lane(lane), .Lanes(Lanes)) u_n_dot_h_or_v_curve (
+        .clk_i, .load_i(load_i && is_cosine), .step_i(step_i && is_cosine),
+        .seed_i(cosine_i[1]), .cosine_o(curved.n_dot_h_or_v));
+    end else begin : gen_no_curve
+      assign curved = '0;
+    end
+
     assign interpolated.n_dot_l      = quantity_to_cosine(reinsch[0][lane]);
     assign interpolated.n_dot_h_or_v = quantity_to_cosine(reinsch[1][lane]);
-    assign lane_valid[lane] = is_intensity ? valid_i : is_duff ? duff_valid : dot_valid;
-    assign cosines_o[lane]  = is_intensity ? interpolated : is_duff ? duff : dot;
+    assign lane_valid[lane] = is_intensity || is_cosine ? valid_i : is_duff ? duff_valid : dot_valid;
+    assign cosines_o[lane]  = is_cosine ? curved : is_intensity ? interpolated : is_duff ? duff : dot;
   end
 endmodule

@@ -15,29 +15,52 @@ package shading_pkg;
   typedef logic signed [12:0] offset_t;      // pixels from the triangle's origin, -4095..4095
   typedef logic [12:0] span_length_t;        // pixels in one span, 1..4096
 
-  typedef enum logic [3:0] {
-    MethodFlat           = 4'd0,
-    MethodGouraud        = 4'd1,
-    MethodQuad           = 4'd2,
-    MethodPhong          = 4'd3,
-    MethodPhongTaylor    = 4'd4,
-    MethodPhongDuff      = 4'd5,
-    MethodSlerp          = 4'd6,
-    MethodSlerpPaper     = 4'd7,
-    MethodSlerpIntensity = 4'd8,
-    MethodSlerpDirect    = 4'd9
+  typedef enum logic [4:0] {
+    MethodFlat                = 5'd0,
+    MethodGouraud             = 5'd1,
+    MethodQuad                = 5'd2,
+    MethodQuadPolynomial      = 5'd3,
+    MethodQuadHorner          = 5'd4,
+    MethodQuadStep            = 5'd5,
+    MethodQuadMidpoint        = 5'd6,
+    MethodQuadThreeTerm       = 5'd7,
+    MethodQuadThirdDifference = 5'd8,
+    MethodQuadSegment         = 5'd9,
+    MethodQuadDifference      = 5'd10,
+    MethodQuadSplit           = 5'd11,
+    MethodQuadCosine          = 5'd12,
+    MethodPhong               = 5'd13,
+    MethodPhongTaylor         = 5'd14,
+    MethodPhongDuff           = 5'd15,
+    MethodSlerp               = 5'd16,
+    MethodSlerpPaper          = 5'd17,
+    MethodSlerpIntensity      = 5'd18,
+    MethodSlerpDirect         = 5'd19
   } method_e;
 
   // Which methods a build contains: bit k stands for the method with value k.
-  localparam int unsigned NumMethods = 10;
+  localparam int unsigned NumMethods = 20;
   typedef logic [NumMethods-1:0] methods_t;
   localparam methods_t AllMethods = '1;
-  // Methods that interpolate intensities; the others interpolate normals or cosines.
-  localparam methods_t SurfaceMethods = 10'b0000000111;
+  function automatic methods_t method_bit(method_e method);
+    method_bit = methods_t'(1) << method;
+  endfunction
 
-  // The build has several methods and the frame names this one, or has only this one.
+  // Methods that interpolate along a surface, by span_setup; the others interpolate normals.
+  localparam methods_t SurfaceMethods = 20'h01fff;
+  // Methods that light every pixel, by lit_pixels; the others interpolate intensities.
+  localparam methods_t LitMethods = 20'hff000;
+  // Surfaces of second order whose spans start from differences of rows.
+  localparam methods_t PointMethods = method_bit(MethodQuadPolynomial) | method_bit(MethodQuadHorner);
+  localparam methods_t RowMethods = SurfaceMethods & ~PointMethods & ~method_bit(MethodFlat) &
+                                    ~method_bit(MethodGouraud);
+
+  // The frame's method is one of the set; a build without others need not look.
+  function automatic logic is_any_of(methods_t built, method_e frame, methods_t set);
+    is_any_of = (built & set) != '0 && ((built & ~set) == '0 || set[frame]);
+  endfunction
   function automatic logic is_method(methods_t built, method_e frame, method_e method);
-    is_method = built[method] && (built == methods_t'(1 << method) || frame == method);
+    is_method = is_any_of(built, frame, method_bit(method));
   endfunction
 
   // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes; x and y in pixels from
@@ -51,6 +74,18 @@ package shading_pkg;
     intensity_acc_t f;
   } surface_t;
 
+  // A cosine likewise, S1.44; no half unit.
+  typedef s1_44_t cosine_acc_t;
+  typedef struct packed {
+    cosine_acc_t a;
+    cosine_acc_t b;
+    cosine_acc_t c;
+    cosine_acc_t d;
+    cosine_acc_t e;
+    cosine_acc_t f;
+  } cosine_surface_t;
+  localparam int unsigned Cosines = 2;       // N.L, and N.H or N.V
+
   // The surface of one channel and a pixel on it.
   typedef struct packed {
     surface_t surface;
@@ -59,16 +94,20 @@ package shading_pkg;
   } surface_point_t;
 
   typedef struct packed {
-    method_e method;
-    light_t  light;                          // methods that interpolate normals
+    method_e    method;
+    tolerance_t tolerance;                   // quad-segment
+    light_t     light;                       // methods that light every pixel
   } frame_t;
 
   typedef struct packed {
     coord_t                  origin_x;       // first pixel of the first span
     coord_t                  origin_y;
     depth_acc_t              dz_dx;          // depth step per pixel
-    material_index_t         material;       // methods that interpolate normals
-    surface_t [Channels-1:0] surface;
+    material_index_t         material;       // methods that light every pixel
+    cosine_surface_t [Cosines-1:0]  cosine;  // quad-cosine
+    intensity_acc_t  [Channels-1:0] ambient; // quad-split: with the half code
+    surface_t        [Channels-1:0] specular; // quad-split
+    surface_t        [Channels-1:0] surface; // intensity; quad-split: diffuse, without the half code
   } triangle_t;
 
   typedef struct packed {
@@ -103,6 +142,19 @@ package shading_pkg;
     intensity_acc_t difference;              // I(stride) - I(0)
     intensity_acc_t curvature;               // stride^2 2A
   } channel_seed_t;
+
+  // The same of a cosine.
+  typedef struct packed {
+    cosine_acc_t first;
+    cosine_acc_t second;
+    cosine_acc_t difference;
+    cosine_acc_t curvature;
+  } curve_seed_t;
+
+  typedef struct packed {
+    channel_seed_t  specular;
+    intensity_acc_t ambient;
+  } split_seed_t;
 
   typedef struct packed {
     run_t                         run;

@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Span set-up: row start and first difference of three channels, one multiplier each.
+// Span set-up of the methods that interpolate along a surface: row start and first difference of three
+// channels, of six for quad-split, of two cosines for quad-cosine.
 //
-//   quad      r = Ax + Cy + D,  s = By + E,  I = r x + s y + F   paper 003 (9): 5 products
-//             I(x+1) - I(x) = r + Ax + A                          paper 003 (3)
-//   gouraud   I = D x + E y + F,  I(x+1) - I(x) = D               2 products
-//   flat      I = F                                               none
+//   quad ...  I = (Ax + P) x + R, rows by differences   paper 003 (9), (3): 2 products; see row_start
+//   gouraud   I = D x + R,  R = E y + F                 1 product
+//   flat      I = F                                     none
+//   quad-polynomial, quad-horner: the coefficients and the pixel themselves
 //
-// Timing    One step a product; the last sum overlaps the next span's first step.
-//             method   span accepted to seed on offer   initiation interval
-//             quad     7 cycles                         5 cycles
-//             gouraud  4                                2
-//             flat     3                                1
-//           ready/valid on all ports. A span is never taken before its triangle; a triangle leaves
-//           with the last step of its last span.
-// Formats   coefficients and seeds S9.26, coordinates S12.0 from the triangle's origin; products
-//           keep the low 36 bits. Exact whenever the result lies in S9.26.
+// Timing    One step a product, and one a row: a span `rows` below the one before it, the first of its
+//           triangle with rows = 0, has
+//             quad ...       max(2, rows + 1) steps
+//             gouraud        max(1, rows)
+//             others         1
+//           A seed is on offer steps + 2 cycles after its span was taken; the initiation interval is
+//           steps cycles: the last sum overlaps the next span's first step. ready/valid on all ports. A
+//           span is never taken before its triangle; a triangle leaves with the last step of its last
+//           span.
+// Formats   intensities S9.26, cosines S1.44, coordinates S12.0 from the triangle's origin; products
+//           keep the low bits. Exact whenever the result fits.
 // Error     None against the integer polynomial. RTL = model on every seed.
+// Bad input Spans of a triangle come from above downwards: one above the one before never ends.
 // Model     model/raster/span_setup.h      Doc  docs/units/raster/span_setup.md
 module span_setup
   import light_pkg::*;
+  import normal_pkg::*;
   import shading_pkg::*;
 #(
-  parameter methods_t Methods = AllMethods
+  parameter methods_t Methods = AllMethods & SurfaceMethods
 ) (
   input  logic      clk_i,
   input  logic      rst_ni,
@@ -36,44 +41,52 @@ module span_setup
   output logic      span_ready_o,
   input  span_t     span_i,
 
-  output logic      seed_valid_o,
-  input  logic      seed_ready_i,
-  output seed_t     seed_o,
+  output logic                         seed_valid_o,
+  input  logic                         seed_ready_i,
+  output seed_t                        seed_o,
+  output split_seed_t   [Channels-1:0] split_o,     // quad-split
+  output curve_seed_t   [Cosines-1:0]  cosine_o,    // quad-cosine
+  output material_index_t              material_o,  // quad-cosine
+  output surface_point_t [Channels-1:0] point_o,    // quad-polynomial, quad-horner
 
   output logic      span_inside_o,  // a span is being set up or waits as a seed
   output logic      busy_o          // a triangle or a span is inside
 );
-  localparam int unsigned Latency = 7;
-  localparam int unsigned Interval = 5;
+  localparam int unsigned Latency = 4;
+  localparam int unsigned Interval = 2;
 
-  // Steps are named by the product that the multiplier forms in them.
-  typedef enum logic [2:0] {
-    StepAx = 3'd0, StepCy = 3'd1, StepBy = 3'd2, StepRowX = 3'd3, StepRowY = 3'd4
-  } step_e;
-
-  localparam bit HasQuad = Methods[MethodQuad];
+  localparam methods_t Curves = RowMethods & Methods;
+  localparam bit HasQuad = Curves != '0;
   localparam bit HasGouraud = Methods[MethodGouraud];
-  logic is_quad, is_gouraud;
-  assign is_quad    = HasQuad && (Methods == methods_t'(1 << MethodQuad) ||
-                                  method_i == MethodQuad);
-  assign is_gouraud = HasGouraud && (Methods == methods_t'(1 << MethodGouraud) ||
-                                     method_i == MethodGouraud);
+  localparam bit HasSplit = Methods[MethodQuadSplit];
+  localparam bit HasCosine = Methods[MethodQuadCosine];
+  localparam bit HasPoint = (Methods & PointMethods) != '0;
+  localparam bit HasChannel = (Methods & ~PointMethods & ~method_bit(MethodQuadCosine)) != '0;
+  logic is_quad, is_gouraud, is_split, is_cosine;
+  assign is_quad    = is_any_of(Methods, method_i, RowMethods);
+  assign is_split   = is_method(Methods, method_i, MethodQuadSplit);
+  assign is_cosine  = is_method(Methods, method_i, MethodQuadCosine);
+  assign is_gouraud = is_method(Methods, method_i, MethodGouraud);
 
-  logic      triangle_valid_q;
-  triangle_t triangle_q;
-  logic      span_valid_q;        // a span is in its steps
-  span_t     span_q;
-  step_e     step_q;
-  logic      sum_valid_q;         // the last sum of a span is due
-  logic      seed_valid_q;
+  logic  triangle_valid_q;
+  logic  span_valid_q;            // a span is in its steps
+  span_t span_q;
+  logic  product_q;               // A x is formed
+  logic  sum_valid_q;             // the last sum of a span is due
+  logic  seed_valid_q;
 
   /////////////
   // Control //
   /////////////
 
-  logic take_triangle, take_span, advance, last_step, release_triangle, write_seed;
+  coord_t row_q;                  // of the rows' registers
+  logic   take_triangle, take_span, advance, next_row, last_step, release_triangle, write_seed;
   assign advance          = !(sum_valid_q && seed_valid_q && !seed_ready_i);
-  assign last_step        = span_valid_q && advance && step_q == StepRowY;
+  assign next_row         = span_valid_q && advance && (is_quad || is_gouraud) && row_q != span_q.y;
+  assign last_step        = span_valid_q && advance &&
+                            (is_quad ? product_q && row_q == span_q.y
+                                     : !is_gouraud || row_q == span_q.y ||
+                                       coord_t'(row_q + 12'd1) == span_q.y);
   assign release_triangle = last_step && span_q.last;
   assign write_seed       = sum_valid_q && advance;
 
@@ -86,9 +99,6 @@ module span_setup
   assign seed_valid_o  = seed_valid_q;
   assign span_inside_o = span_valid_q || sum_valid_q || seed_valid_q;
   assign busy_o        = span_inside_o || triangle_valid_q;
-
-  step_e first_step;
-  assign first_step = is_quad ? StepAx : is_gouraud ? StepRowX : StepRowY;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -105,100 +115,113 @@ module span_setup
   end
 
   always_ff @(posedge clk_i) begin
-    if (take_triangle) triangle_q <= triangle_i;
-    if (take_span) begin
-      span_q <= span_i;
-      step_q <= first_step;
-    end else if (span_valid_q && advance) begin
-      step_q <= step_e'(step_q + 3'd1);
-    end
+    if (take_span) span_q <= span_i;
+    if (take_triangle) row_q <= triangle_i.origin_y;
+    else if (next_row) row_q <= coord_t'(row_q + 12'd1);
+    product_q <= span_valid_q && !last_step && (product_q || advance);
   end
 
   //////////////
   // Position //
   //////////////
 
-  offset_t local_x, local_y;
-  assign local_x = signed'({1'b0, span_q.x}) - signed'({1'b0, triangle_q.origin_x});
-  assign local_y = signed'({1'b0, span_q.y}) - signed'({1'b0, triangle_q.origin_y});
+  coord_t     origin_x_q, origin_y_q;
+  depth_acc_t dz_dx_q;
+  offset_t    local_x, local_y;
+  assign local_x = signed'({1'b0, span_q.x}) - signed'({1'b0, origin_x_q});
+  assign local_y = signed'({1'b0, span_q.y}) - signed'({1'b0, origin_y_q});
 
   run_t run_q;                    // of the span whose last sum is due
   run_t seed_run_q;
+  assign seed_o.run = seed_run_q;
   always_ff @(posedge clk_i) begin
+    if (take_triangle) begin
+      origin_x_q <= triangle_i.origin_x;
+      origin_y_q <= triangle_i.origin_y;
+      dz_dx_q    <= triangle_i.dz_dx;
+    end
     if (last_step) begin
-      run_q <= '{x: span_q.x, y: span_q.y, length: span_q.length, z: span_q.z,
-                 dz_dx: triangle_q.dz_dx};
+      run_q <= '{x: span_q.x, y: span_q.y, length: span_q.length, z: span_q.z, dz_dx: dz_dx_q};
     end
     if (write_seed) seed_run_q <= run_q;
   end
-  assign seed_o.run = seed_run_q;
 
   //////////////
-  // Channels //
+  // Surfaces //
   //////////////
+
+  logic form_product;
+  assign form_product = span_valid_q && advance && !product_q;
 
   for (genvar ch = 0; ch < Channels; ch++) begin : gen_channel
-    surface_t       coef;
-    intensity_acc_t factor;
-    offset_t        coord;
-    intensity_acc_t product_q;
-    intensity_acc_t ax_q;         // A x
-    intensity_acc_t row_x_q;      // r = Ax + Cy + D
-    intensity_acc_t row_y_q;      // s = By + E
-    intensity_acc_t base_q;       // r x + F
-    intensity_acc_t difference_q, curvature_q;
-    intensity_acc_t row_x, first;
-    channel_seed_t  seed_q;
-
-    assign coef  = triangle_q.surface[ch];
-    assign row_x = ax_q + product_q + coef.d;
-
-    always_comb begin
-      factor = is_quad ? row_y_q : coef.e;
-      coord  = local_y;
-      if (step_q == StepRowX) begin
-        factor = is_quad ? row_x_q : coef.d;
-        coord  = local_x;
-      end
-      if (HasQuad) begin
-        if (step_q == StepAx) factor = coef.a;
-        if (step_q == StepCy) factor = coef.c;
-        if (step_q == StepBy) factor = coef.b;
-        if (step_q == StepAx) coord = local_x;
-      end
+    if (HasChannel) begin : gen_rows
+      row_start #(.HasQuad(HasQuad), .HasGouraud(HasGouraud)) u_row_start (
+        .clk_i, .is_quad_i(is_quad), .is_gouraud_i(is_gouraud),
+        .load_i(take_triangle), .surface_i(triangle_i.surface[ch]), .next_row_i(next_row),
+        .product_i(form_product), .finish_i(last_step), .write_i(write_seed), .x_i(local_x),
+        .seed_o(seed_o.channel[ch]));
+    end else begin : gen_no_rows
+      assign seed_o.channel[ch] = '0;
     end
 
+    if (HasSplit) begin : gen_split
+      intensity_acc_t ambient_q, run_ambient_q, seed_ambient_q;
+      assign split_o[ch].ambient = seed_ambient_q;
+      row_start #(.HasGouraud(1'b0)) u_specular_row_start (
+        .clk_i, .is_quad_i(is_split), .is_gouraud_i(1'b0),
+        .load_i(take_triangle), .surface_i(triangle_i.specular[ch]), .next_row_i(next_row),
+        .product_i(form_product), .finish_i(last_step), .write_i(write_seed), .x_i(local_x),
+        .seed_o(split_o[ch].specular));
+      always_ff @(posedge clk_i) begin
+        if (take_triangle) ambient_q      <= triangle_i.ambient[ch];
+        if (last_step)     run_ambient_q  <= ambient_q;
+        if (write_seed)    seed_ambient_q <= run_ambient_q;
+      end
+    end else begin : gen_no_split
+      assign split_o[ch] = '0;
+    end
+
+    if (HasPoint) begin : gen_point
+      surface_t       surface_q;
+      surface_point_t run_point_q;
+      always_ff @(posedge clk_i) begin
+        if (take_triangle) surface_q   <= triangle_i.surface[ch];
+        if (last_step)     run_point_q <= '{surface: surface_q, x: local_x, y: local_y};
+        if (write_seed)    point_o[ch] <= run_point_q;
+      end
+    end else begin : gen_no_point
+      assign point_o[ch] = '0;
+    end
+  end
+
+  if (HasCosine) begin : gen_cosine
+    material_index_t material_q, run_material_q;
+    for (genvar i = 0; i < Cosines; i++) begin : gen_rows
+      row_start #(.value_t(cosine_acc_t), .surface_t(cosine_surface_t), .seed_t(curve_seed_t),
+                  .HasGouraud(1'b0))
+      u_row_start (
+        .clk_i, .is_quad_i(is_cosine), .is_gouraud_i(1'b0),
+        .load_i(take_triangle), .surface_i(triangle_i.cosine[i]), .next_row_i(next_row),
+        .product_i(form_product), .finish_i(last_step), .write_i(write_seed), .x_i(local_x),
+        .seed_o(cosine_o[i]));
+    end
     always_ff @(posedge clk_i) begin
-      if (span_valid_q && advance) begin
-        if (is_quad || is_gouraud) product_q <= factor * intensity_acc_t'(coord);
-        if (is_quad) begin
-          if (step_q == StepCy)   ax_q         <= product_q;
-          if (step_q == StepBy)   row_x_q      <= row_x;
-          if (step_q == StepBy)   difference_q <= row_x + ax_q + coef.a;
-          if (step_q == StepRowX) row_y_q      <= product_q + coef.e;
-          if (step_q == StepRowY) curvature_q  <= coef.a <<< 1;
-        end
-        if (is_gouraud) difference_q <= coef.d;
-        if (step_q == StepRowY) base_q <= (is_quad || is_gouraud) ? product_q + coef.f : coef.f;
-      end
+      if (take_triangle) material_q     <= triangle_i.material;
+      if (last_step)     run_material_q <= material_q;
+      if (write_seed)    material_o     <= run_material_q;
     end
-
-    assign first = (is_quad || is_gouraud) ? base_q + product_q : base_q;
-    always_ff @(posedge clk_i) begin
-      if (write_seed) begin
-        seed_q.first      <= first;
-        seed_q.second     <= first + difference_q;
-        seed_q.difference <= difference_q;
-        seed_q.curvature  <= curvature_q;
-      end
-    end
-    assign seed_o.channel[ch] = seed_q;
+  end else begin : gen_no_cosine
+    assign cosine_o   = '0;
+    assign material_o = '0;
   end
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (take_span) begin
       assert (span_i.length != '0) else $error("span_setup: a span of 0 pixels");
+    end
+    if (span_valid_q && (is_quad || is_gouraud)) begin
+      assert (row_q <= span_q.y) else $error("span_setup: a span above the one before it");
     end
   end
 `endif

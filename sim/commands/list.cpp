@@ -15,6 +15,16 @@ constexpr const char* kMethodText[] = {
     "one colour per triangle: light of the mean of its normals",
     "linear interpolation of the vertices' intensities",
     "second-order surface through six nodes, paper 003 (5): I(x+2) = 2 I(x+1) - I(x) + 2A",
+    "the same surface by paper 003 (2): 8 products per pixel",
+    "the same surface by paper 003 (9): 5 products per pixel",
+    "the same surface by paper 003 (3): I(x+1) = I + 2Ax + A + Cy + D",
+    "the same surface by paper 003 (6): every second pixel from its neighbours",
+    "the same surface by paper 003 (7): I(x+3) = I(x+2) + I(x+1) - I + 4A",
+    "the same surface by paper 003 (8), figure 5: I(x+3) = 3 (I(x+2) - I(x+1)) + I",
+    "the ends of 2^k-pixel segments by paper 003, linear within --tolerance between them",
+    "the same surface by two registers: I += d, d += 2A",
+    "second-order surfaces of unclamped diffuse and of specular light, clamped and added per pixel",
+    "second-order surfaces of unclamped N.L and N.H, clamp and power per pixel",
     "linear normal, normalised and lit at every pixel",
     "linear normal, normalised by three terms of Taylor's series",
     "linear N.L and N.H over the root of a quadratic |N|^2 (Duff): phong without vectors",
@@ -26,7 +36,7 @@ constexpr const char* kMethodText[] = {
 void PrintTables() {
   fmt::print("Methods\n");
   for (const Method method : kAllMethods) {
-    fmt::print("  {:15} {}\n", Name(method), kMethodText[static_cast<size_t>(method)]);
+    fmt::print("  {:22} {}\n", Name(method), kMethodText[static_cast<size_t>(method)]);
   }
   fmt::print(
       "\nUnits: latency and initiation interval in cycles (0: not in hardware yet), "

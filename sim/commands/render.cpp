@@ -25,7 +25,7 @@ RunStats Simulate(const FrameWork& work, const Options& options, FrameBuffer* pi
 
 RunStats RenderOne(const Frame& frame, Method method, const Options& options,
                    const std::string& path) {
-  const FrameWork work = FrontEnd::Run(frame.list, method);
+  const FrameWork work = FrontEnd::Run(frame.list, method, options.front_end);
   FrameBuffer picture(frame.list.frame.width, frame.list.frame.height);
   RunStats stats = Simulate(work, options, &picture);
   // The ideal engine takes coverage and depth from the model, whose edges are exact.

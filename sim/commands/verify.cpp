@@ -85,7 +85,7 @@ class Verifier {
     const Task& task = tasks_[static_cast<size_t>(number)];
     const Frame drawn = random() ? RandomFrame(task.frame) : Frame{};
     const Frame& frame = random() ? drawn : frames_[task.frame];
-    const FrameWork work = FrontEnd::Run(frame.list, task.method);
+    const FrameWork work = FrontEnd::Run(frame.list, task.method, options_.front_end);
     // Every other random frame also meets gaps in the commands.
     const FlowPattern source = random() && task.frame % 2 == 1
                                    ? FlowPattern::Random(options_.seed + 1)

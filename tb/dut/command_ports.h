@@ -57,7 +57,7 @@ class CommandPorts {
   }
 
  private:
-  static constexpr int kTriangleWords = 23, kSpanWords = 9;
+  static constexpr int kSpanWords = 9;
 
   Top& top_;
   bool take_triangle_ = false, take_span_ = false;

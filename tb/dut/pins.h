@@ -13,14 +13,21 @@ namespace shading::tb {
 inline constexpr int kCoordWidth = 12;
 inline constexpr int kLengthWidth = 13;
 inline constexpr int kMaterialWidth = 8;
-inline constexpr int kMethodWidth = 4;
+inline constexpr int kMethodWidth = 5;
+inline constexpr int kTriangleWords = 64;
+
+template <typename Value, typename Bits>
+void PutSurface(const BasicSurface<Value>& s, Bits& bits) {
+  for (const Value value : {s.f, s.e, s.d, s.c, s.b, s.a}) bits.Put(value);
+}
 
 template <typename Port>
 void DriveTriangle(const TriangleState& triangle, Port& port) {
-  BitPacker<23> bits;
-  for (const Surface& s : triangle.surface) {
-    for (const IntensityAcc value : {s.f, s.e, s.d, s.c, s.b, s.a}) bits.Put(value);
-  }
+  BitPacker<kTriangleWords> bits;
+  for (const Surface& s : triangle.surface) PutSurface(s, bits);
+  for (const Surface& s : triangle.specular) PutSurface(s, bits);
+  for (const IntensityAcc value : triangle.ambient) bits.Put(value);
+  for (const CosineSurface& s : triangle.cosine) PutSurface(s, bits);
   bits.Put(triangle.material, kMaterialWidth);
   bits.Put(triangle.dz_dx);
   bits.Put(triangle.origin_y, kCoordWidth);
@@ -61,16 +68,21 @@ void DriveRun(const SpanSeed& seed, Port& port) {
   bits.Store(port);
 }
 
+template <typename Value, typename Bits>
+BasicSeed<Value> TakeSeed(Bits& bits) {
+  BasicSeed<Value> seed;
+  seed.curvature = bits.template TakeSigned<Value>();
+  seed.difference = bits.template TakeSigned<Value>();
+  seed.second = bits.template TakeSigned<Value>();
+  seed.first = bits.template TakeSigned<Value>();
+  return seed;
+}
+
 template <typename Port>
 SpanSeed ReadSeed(const Port& port) {
   BitReader<Port> bits(port);
   SpanSeed seed;
-  for (ChannelSeed& channel : seed.channel) {
-    channel.curvature = bits.template TakeSigned<IntensityAcc>();
-    channel.difference = bits.template TakeSigned<IntensityAcc>();
-    channel.second = bits.template TakeSigned<IntensityAcc>();
-    channel.first = bits.template TakeSigned<IntensityAcc>();
-  }
+  for (ChannelSeed& channel : seed.channel) channel = TakeSeed<IntensityAcc>(bits);
   seed.dz_dx = bits.template TakeSigned<DepthAcc>();
   seed.z = bits.template TakeSigned<DepthAcc>();
   seed.length = static_cast<int>(bits.Take(kLengthWidth));
@@ -80,9 +92,10 @@ SpanSeed ReadSeed(const Port& port) {
 }
 
 template <typename Port>
-void DriveFrame(Method method, const LightState& light, Port& port) {
-  BitPacker<6> bits;
+void DriveFrame(Method method, Tolerance tolerance, const LightState& light, Port& port) {
+  BitPacker<7> bits;
   PutLight(light, bits);
+  bits.Put(tolerance.raw(), Tolerance::kWidth);
   bits.Put(static_cast<int64_t>(method), kMethodWidth);
   bits.Store(port);
 }

@@ -28,10 +28,10 @@ class ShadingUnitDut : public RtlShadingUnit {
     Feed feed{&work, &source};
     Batch batch(consumer);
     RtlResult result;
-    if (InterpolatesNormals(work.method)) WriteMaterials(work);
+    if (LightsPixels(work.method)) WriteMaterials(work);
     top_->frame_valid_i = 1;
-    DriveFrame(work.method, work.light, top_->frame_i);
-    const int64_t patience = 4 * (source.longest_gap() + sink.longest_gap()) + 64;
+    DriveFrame(work.method, work.tolerance, work.light, top_->frame_i);
+    const int64_t patience = 4 * (source.longest_gap() + sink.longest_gap()) + 64 + kMaxScreen;
     int64_t deadline = patience;
     for (int64_t cycle = 0; !result.finished && result.failure.empty(); ++cycle) {
       top_->pixel_ready_i = sink.At(cycle);
@@ -172,8 +172,15 @@ class ShadingUnitDut : public RtlShadingUnit {
     if (!top_->rootp->shading_unit__DOT__load) return;
     if (loads_++ != span) return;
     result->probe = ReadSeed(top_->rootp->shading_unit__DOT__seed);
+    ReadCosines(&*result->probe);
     result->probe->normal = ReadNormalSeed<kLanes>(top_->rootp->shading_unit__DOT__quantity,
                                                    top_->rootp->shading_unit__DOT__kappa);
+  }
+
+  void ReadCosines(SpanSeed* seed) const {
+    BitReader<decltype(top_->rootp->shading_unit__DOT__cosine)> bits(
+        top_->rootp->shading_unit__DOT__cosine);
+    for (CurveSeed& cosine : seed->cosine) cosine = TakeSeed<CosineAcc>(bits);
   }
 
   std::string Stuck(const Feed& feed, int64_t cycle) const {

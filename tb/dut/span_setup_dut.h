@@ -67,7 +67,7 @@ class SpanSetupDut {
     Result result;
     top_->method_i = static_cast<uint8_t>(work.method);
     const int64_t patience = 16 + 2 * (flows.triangle.longest_gap() + flows.span.longest_gap() +
-                                       flows.seed.longest_gap());
+                                       flows.seed.longest_gap()) + kMaxScreen;
     int64_t deadline = patience;
     held_ = false;
     for (int64_t cycle = 0; result.seeds.size() < work.spans.size() || held_; ++cycle) {
@@ -101,7 +101,7 @@ class SpanSetupDut {
     result->inside.push_back(top_->span_inside_o);
     result->busy.push_back(top_->busy_o);
     CheckHeld(cycle, result);
-    if (take_seed) result->seeds.push_back({ReadSeed(top_->seed_o), offered_, cycle});
+    if (take_seed) result->seeds.push_back({ReadOutputs(), offered_, cycle});
     return commands_.take_triangle() || commands_.take_span() || take_seed;
   }
 
@@ -115,6 +115,28 @@ class SpanSetupDut {
     if (!held_ && top_->seed_valid_o) offered_ = cycle;
     held_ = top_->seed_valid_o && !top_->seed_ready_i;
     held_words_ = words;
+  }
+
+  SpanSeed ReadOutputs() const {
+    SpanSeed seed = ReadSeed(top_->seed_o);
+    seed.material = top_->material_o;
+    BitReader<decltype(top_->split_o)> split(top_->split_o);
+    for (SplitSeed& channel : seed.split) {
+      channel.ambient = split.template TakeSigned<IntensityAcc>();
+      channel.specular = TakeSeed<IntensityAcc>(split);
+    }
+    BitReader<decltype(top_->cosine_o)> cosine(top_->cosine_o);
+    for (CurveSeed& curve : seed.cosine) curve = TakeSeed<CosineAcc>(cosine);
+    BitReader<decltype(top_->point_o)> point(top_->point_o);
+    for (SurfacePoint& at : seed.point) {
+      at.y = static_cast<int>(point.template TakeSigned<S<12, 0>>().raw());
+      at.x = static_cast<int>(point.template TakeSigned<S<12, 0>>().raw());
+      Surface& s = at.surface;
+      for (IntensityAcc* value : {&s.f, &s.e, &s.d, &s.c, &s.b, &s.a}) {
+        *value = point.template TakeSigned<IntensityAcc>();
+      }
+    }
+    return seed;
   }
 
   void Settle() {

@@ -51,8 +51,20 @@ std::string NormalSeedText(const NormalSeed& seed, int lanes) {
   return text;
 }
 
+std::string CosineSeedText(const SpanSeed& seed) {
+  std::string text = "\n";
+  for (size_t i = 0; i < kCosines; ++i) {
+    const CurveSeed& c = seed.cosine[i];
+    text += fmt::format("      {:9} first {} difference {} curvature {}\n",
+                        i == 0 ? "N.L" : "N.H, N.V", c.first.raw(), c.difference.raw(),
+                        c.curvature.raw());
+  }
+  return text;
+}
+
 std::string SeedText(const SpanSeed& seed, Method method, int lanes) {
   if (InterpolatesNormals(method)) return NormalSeedText(seed.normal, lanes);
+  if (method == Method::kQuadCosine) return CosineSeedText(seed);
   std::string text = fmt::format("x {} y {} length {} z {} dz/dx {}\n", seed.x, seed.y, seed.length,
                                  seed.z.raw(), seed.dz_dx.raw());
   for (size_t ch = 0; ch < kChannels; ++ch) {
@@ -90,8 +102,8 @@ std::string FirstDifference(const FrameWork& work, const Verdicts& verdicts) {
                      m.triangle, m.span, m.index, m.command.length, m.expected.pixel.x,
                      m.expected.pixel.y) +
          PixelFields(m) +
-         (InterpolatesNormals(work.method) ? ""
-                                           : "    coefficients S9.26, raw\n" + Coefficients(m));
+         (LightsPixels(work.method) ? ""
+                                    : "    coefficients S9.26, raw\n" + Coefficients(m));
 }
 
 }  // namespace

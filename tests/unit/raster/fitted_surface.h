@@ -87,14 +87,14 @@ class Fitted {
   }
 
   // The proof, at one pixel: 6 coefficients within 2^-27, two barycentrics within
-  // (x + y + 1) 2^-31 whose effect grows to 9 * 255.
+  // (x + y + 1) 2^-34 whose effect grows to 9 * 255.
   double Bound(int x, int y) const {
     const double u = std::abs(x - triangle_.origin_x), v = y - triangle_.origin_y;
-    return (u * u + u * v + v * v + u + v + 1) * 0x1p-27 + 2295 * (u + v + 1) * 0x1p-31 + 1e-7;
+    return (u * u + u * v + v * v + u + v + 1) * 0x1p-27 + 2295 * (u + v + 1) * 0x1p-34 + 1e-7;
   }
   double LinearBound(int x, int y) const {
     const double steps = std::abs(x - triangle_.origin_x) + y - triangle_.origin_y + 1;
-    return steps * 0x1p-27 + 2 * 255 * steps * 0x1p-31;
+    return steps * 0x1p-27 + 2 * 255 * steps * 0x1p-34;
   }
 
   bool empty() const { return spans_.empty(); }

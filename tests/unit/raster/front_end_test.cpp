@@ -25,11 +25,11 @@ constexpr double kLebesgue = 5.0 / 3;  // six nodes of one error move the quadra
 
 double QuadBound(const FrameState& frame) {
   const double u = frame.width - 1, v = frame.height - 1;
-  return (u * u + u * v + v * v + u + v + 1) * 0x1p-27 + 2295 * (u + v + 1) * 0x1p-31 +
+  return (u * u + u * v + v * v + u + v + 1) * 0x1p-27 + 2295 * (u + v + 1) * 0x1p-34 +
          kLebesgue * kMeanLight;
 }
 double GouraudBound(const FrameState& frame) {
-  return (frame.width + frame.height - 1) * (0x1p-27 + 510 * 0x1p-31) + kVertexLight;
+  return (frame.width + frame.height - 1) * (0x1p-27 + 510 * 0x1p-34) + kVertexLight;
 }
 double FlatBound(const FrameState&) { return kMeanLight; }
 

@@ -25,14 +25,35 @@ Dut::Flows AlwaysFlows() {
   return {FlowPattern::Always(), FlowPattern::Always(), FlowPattern::Always()};
 }
 
-// Fields that the method does not use are free in the RTL.
-void ExpectChannel(Method method, const ChannelSeed& rtl, const ChannelSeed& model) {
+template <typename Value>
+void ExpectSeed(const BasicSeed<Value>& rtl, const BasicSeed<Value>& model) {
   ASSERT_EQ(rtl.first.raw(), model.first.raw());
-  if (method == Method::kFlat) return;
-  ASSERT_EQ(rtl.difference.raw(), model.difference.raw());
-  if (method == Method::kGouraud) return;
   ASSERT_EQ(rtl.second.raw(), model.second.raw());
+  ASSERT_EQ(rtl.difference.raw(), model.difference.raw());
   ASSERT_EQ(rtl.curvature.raw(), model.curvature.raw());
+}
+
+// Fields that the method does not use are free in the RTL.
+void ExpectChannel(Method method, const SpanSeed& rtl, const SpanSeed& model, size_t ch) {
+  if (method == Method::kFlat) {
+    ASSERT_EQ(rtl.channel[ch].first.raw(), model.channel[ch].first.raw());
+  } else if (IsPointForm(method)) {
+    const SurfacePoint &r = rtl.point[ch], &m = model.point[ch];
+    ASSERT_EQ(r.x, m.x);
+    ASSERT_EQ(r.y, m.y);
+    const Surface &s = r.surface, &t = m.surface;
+    ASSERT_TRUE(s.a == t.a && s.b == t.b && s.c == t.c && s.d == t.d && s.e == t.e && s.f == t.f);
+  } else {
+    ExpectSeed(rtl.channel[ch], model.channel[ch]);
+  }
+  if (method != Method::kQuadSplit) return;
+  ASSERT_EQ(rtl.split[ch].ambient.raw(), model.split[ch].ambient.raw());
+  ExpectSeed(rtl.split[ch].specular, model.split[ch].specular);
+}
+
+void ExpectCosines(const SpanSeed& rtl, const SpanSeed& model) {
+  ASSERT_EQ(rtl.material, model.material);
+  for (size_t i = 0; i < kCosines; ++i) ExpectSeed(rtl.cosine[i], model.cosine[i]);
 }
 
 void ExpectSeeds(const Dut::Work& work, const Dut::Result& result) {
@@ -47,9 +68,10 @@ void ExpectSeeds(const Dut::Work& work, const Dut::Result& result) {
     ASSERT_EQ(rtl.length, model.length) << "span " << i;
     ASSERT_EQ(rtl.z.raw(), model.z.raw()) << "span " << i;
     ASSERT_EQ(rtl.dz_dx.raw(), model.dz_dx.raw()) << "span " << i;
-    for (size_t ch = 0; ch < kChannels; ++ch) {
+    if (work.method == Method::kQuadCosine) ExpectCosines(rtl, model);
+    for (size_t ch = 0; ch < kChannels && work.method != Method::kQuadCosine; ++ch) {
       SCOPED_TRACE("span " + std::to_string(i) + " channel " + std::to_string(ch));
-      ExpectChannel(work.method, rtl.channel[ch], model.channel[ch]);
+      ExpectChannel(work.method, rtl, model, ch);
       if (testing::Test::HasFatalFailure()) return;
     }
     if (work.spans[i].last) ++triangle;
@@ -78,23 +100,41 @@ TEST_P(SpanSetupFlow, RtlMatchesModel) {
   }
 }
 
+// One of each kind of start; the other forms of the surface have that of quad.
+constexpr auto kKinds = {Method::kFlat, Method::kGouraud, Method::kQuad, Method::kQuadHorner,
+                         Method::kQuadSplit, Method::kQuadCosine};
+
 INSTANTIATE_TEST_SUITE_P(AllFlows, SpanSetupFlow,
-                         testing::Combine(testing::ValuesIn(kSurfaceMethods), testing::ValuesIn(kFlows),
+                         testing::Combine(testing::ValuesIn(kKinds), testing::ValuesIn(kFlows),
                                           testing::ValuesIn(kFlows)),
                          [](const auto& setting) {
-                           return std::string(Name(std::get<0>(setting.param))) + "Span" +
-                                  NameOf(std::get<1>(setting.param)) + "Seed" +
+                           std::string name(Name(std::get<0>(setting.param)));
+                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+                           return name + "Span" + NameOf(std::get<1>(setting.param)) + "Seed" +
                                   NameOf(std::get<2>(setting.param));
                          });
+
+// A triangle of spans one row apart, as most are.
+Dut::Work RowByRow(Method method, int rows) {
+  std::mt19937 random(1);
+  Dut::Work work = RandomWork(method, 1, random);
+  const SpanCommand span = work.spans[0];
+  work.spans.assign(static_cast<size_t>(rows), span);
+  work.triangles[0].origin_y = 100;
+  for (int k = 0; k < rows; ++k) {
+    work.spans[static_cast<size_t>(k)].y = 100 + k;
+    work.spans[static_cast<size_t>(k)].last = k + 1 == rows;
+  }
+  return work;
+}
 
 TEST(SpanSetup, ContractMatchesRtl) {
   EXPECT_EQ(Dut::kLatency, SpanSetup::kContract.latency_cycles);
   EXPECT_EQ(Dut::kInterval, SpanSetup::kContract.interval_cycles);
-  EXPECT_EQ(SpanSetup::Steps(Method::kQuad), SpanSetup::kContract.interval_cycles);
+  EXPECT_EQ(SpanSetup::Steps(Method::kQuad, 1), SpanSetup::kContract.interval_cycles);
   const auto expect = [](Method method, int latency, int interval) {
-    std::mt19937 random(1);
     Dut rtl;
-    const Dut::Result result = rtl.Run(RandomWork(method, 20, random), AlwaysFlows());
+    const Dut::Result result = rtl.Run(RowByRow(method, 20), AlwaysFlows());
     ASSERT_EQ(result.failure, "");
     for (size_t i = 0; i < result.spans.size(); ++i) {
       EXPECT_EQ(result.seeds[i].offered - result.spans[i], latency) << Name(method);
@@ -102,16 +142,33 @@ TEST(SpanSetup, ContractMatchesRtl) {
       EXPECT_EQ(result.spans[i] - result.spans[i - 1], interval) << Name(method);
     }
   };
-  expect(Method::kQuad, 7, 5);
-  expect(Method::kGouraud, 4, 2);
-  expect(Method::kFlat, 3, 1);
+  for (const Method method : {Method::kQuad, Method::kQuadSplit, Method::kQuadCosine}) {
+    expect(method, 4, 2);
+  }
+  for (const Method method : {Method::kGouraud, Method::kFlat, Method::kQuadHorner}) {
+    expect(method, 3, 1);
+  }
 }
+
+// One row a cycle: the only wait that grows with the triangle.
+TEST(SpanSetup, RowsWithoutSpansAreSteppedOver) {
+  for (const auto& [method, cycles] : {std::pair{Method::kQuad, 4095 + 1}, {Method::kGouraud, 4095}}) {
+    Dut::Work work = RowByRow(method, 2);
+    work.triangles[0].origin_y = work.spans[0].y = 0;
+    work.spans[1].y = 4095;
+    EXPECT_EQ(SpanSetup::Steps(method, 4095), cycles);
+    Dut rtl;
+    ExpectRun(&rtl, work, AlwaysFlows());
+  }
+}
+
+constexpr Method kClosedForms[] = {Method::kFlat, Method::kGouraud, Method::kQuad};
 
 TEST(SpanSetup, ModelWithinErrorBound) {
   std::mt19937 random(1);
   int in_range = 0;
   for (int i = 0; i < 300000; ++i) {
-    const Method method = kSurfaceMethods[random() % 3];
+    const Method method = kClosedForms[random() % 3];
     const Dut::Work work = RandomWork(method, 1, random);
     const int x = work.spans.back().x - work.triangles[0].origin_x;
     const int y = work.spans.back().y - work.triangles[0].origin_y;
@@ -143,6 +200,7 @@ TEST(SpanSetup, WrapOfIntermediateTermsIsHarmless) {
   for (const int x : {4095, -4095}) {
     Dut::Work work = RandomWork(Method::kQuad, 1, random);
     work.spans.resize(1);
+    work.spans[0].y = work.triangles[0].origin_y;
     work.spans[0].last = true;
     work.spans[0].x = x > 0 ? 4095 : 0;
     work.triangles[0].origin_x = x > 0 ? 0 : 4095;
@@ -180,12 +238,15 @@ TEST(SpanSetup, TriangleLeavesWithItsLastSpan) {
     std::mt19937 random(1);
     Dut::Work work = RandomWork(method, 8, random);
     work.spans.resize(8);
-    for (SpanCommand& span : work.spans) span.last = true;
+    for (size_t k = 0; k < 8; ++k) {
+      work.spans[k].last = true;
+      work.spans[k].y = work.triangles[k].origin_y;
+    }
     Dut rtl;
     ExpectRun(&rtl, work, AlwaysFlows());
     const Dut::Result again = rtl.Run(work, AlwaysFlows());
     ASSERT_EQ(again.failure, "");
-    EXPECT_EQ(again.triangles[1], SpanSetup::Steps(method));
+    EXPECT_EQ(again.triangles[1], SpanSetup::Steps(method, 0));
   }
 }
 
@@ -210,7 +271,7 @@ TEST(SpanSetup, NextFrameSwitchesMethodWithoutReset) {
   Dut rtl;
   for (int frame = 0; frame < 60; ++frame) {
     SCOPED_TRACE("frame " + std::to_string(frame));
-    const Method method = kSurfaceMethods[random() % 3];
+    const Method method = kSurfaceMethods[random() % kSurfaceMethods.size()];
     ExpectRun(&rtl, RandomWork(method, 1 + static_cast<int>(random() % 3), random), AlwaysFlows());
   }
 }

@@ -28,15 +28,17 @@ struct Occupancy {
 // and there is room downstream.
 inline void ExpectCycles(const tb::SpanSetupDut::Work& work, const tb::SpanSetupDut::Flows& flows,
                          const tb::SpanSetupDut::Result& result) {
-  const int steps = SpanSetup::Steps(work.method);
   Occupancy occupancy(result.busy.size());
   int64_t triangle_taken = flows.triangle.Next(0), released = 0;
   int64_t accepted = -1, last_step = 0, sum = 0, seed_taken = 0;
   size_t triangle = 0;
+  int row = work.triangles[0].origin_y;
   for (size_t i = 0; i < work.spans.size(); ++i) {
     ASSERT_EQ(result.triangles[triangle], triangle_taken) << "triangle " << triangle;
     accepted = std::max({flows.span.Next(accepted + 1), triangle_taken, last_step});
     ASSERT_EQ(result.spans[i], accepted) << "span " << i;
+    const int steps = SpanSetup::Steps(work.method, work.spans[i].y - row);
+    row = work.spans[i].y;
     last_step = std::max(accepted + 1, sum) + steps - 1;
     sum = std::max(last_step + 1, seed_taken);
     ASSERT_EQ(result.seeds[i].offered, sum + 1) << "span " << i;
@@ -47,6 +49,7 @@ inline void ExpectCycles(const tb::SpanSetupDut::Work& work, const tb::SpanSetup
     released = last_step;
     occupancy.Triangle(triangle_taken, released);
     ++triangle;
+    if (triangle < work.triangles.size()) row = work.triangles[triangle].origin_y;
     triangle_taken = std::max(flows.triangle.Next(triangle_taken + 1), released);
   }
   EXPECT_EQ(result.inside, occupancy.inside);

@@ -82,15 +82,27 @@ inline tb::SpanSetupDut::Work RandomWork(Method method, int triangles, std::mt19
     triangle.origin_y = RandomCoord(random);
     triangle.dz_dx = RandomDepth(random);
     const int spans = random() % 2 ? 1 : 1 + static_cast<int>(random() % 6);
-    for (int k = 0; k < spans; ++k) {
+    // Downwards, the first at the origin's row; most of the others one row below the one before.
+    for (int k = 0, y = triangle.origin_y; k < spans; ++k) {
       work.spans.push_back(RandomSpan(random));
-      work.spans.back().last = k + 1 == spans;
+      if (k > 0) y = std::min(y + (random() % 4 ? 1 : 2 + static_cast<int>(random() % 9)), kMaxScreen - 1);
+      work.spans.back().y = y;
+      work.spans.back().last = k + 1 == spans || y == kMaxScreen - 1;
+      if (work.spans.back().last) break;
     }
     const int x = work.spans.back().x - triangle.origin_x;
     const int y = work.spans.back().y - triangle.origin_y;
     for (Surface& surface : triangle.surface) {
       surface = random() % 2 ? RandomSurface(random) : CancellingSurface(x, y, random);
     }
+    for (Surface& surface : triangle.specular) surface = RandomSurface(random);
+    for (IntensityAcc& ambient : triangle.ambient) ambient = RandomAcc(random);
+    for (CosineSurface& surface : triangle.cosine) {
+      for (CosineAcc* k : {&surface.a, &surface.b, &surface.c, &surface.d, &surface.e, &surface.f}) {
+        *k = CosineAcc::Wrap(RandomDepth(random).raw() << (random() % 7));
+      }
+    }
+    triangle.material = static_cast<int>(random() % 256);
     work.triangles.push_back(triangle);
   }
   return work;

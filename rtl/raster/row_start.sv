@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Row start and first difference of one second-order surface, paper 003 (9) and (3), the rows stepped
+// by differences in y:
+//
+//   R(y)   = B y^2 + E y + F      R(y+1) = R(y) + G(y),  G(y+1) = G(y) + 2B,  G(0) = B + E
+//   P(y)   = C y + D              P(y+1) = P(y) + C
+//   I(x, y)             = (A x + P) x + R
+//   I(x+1, y) - I(x, y) = 2 A x + A + P
+//
+// Two products a span with A, C and x's slope changing by row (quad), one without (gouraud), none for
+// a constant (flat). A part of span_setup and its page; it has no page of its own.
+//
+// Timing    load_i takes a surface at its row 0; next_row_i moves one row down, load_i wins. product_i
+//           forms A x; finish_i the last product; write_i, a cycle or more later, the seed.
+// Formats   those of the types: surfaces of intensities S9.26, of cosines S1.44; sums and products
+//           keep the low bits, exact wherever the result fits.
+// Error     None against the integer polynomial.
+// Model     model/raster/span_setup.h      Doc  docs/units/raster/span_setup.md
+module row_start
+  import shading_pkg::*;
+#(
+  parameter type value_t = intensity_acc_t,
+  parameter type surface_t = shading_pkg::surface_t,
+  parameter type seed_t = channel_seed_t,
+  parameter bit HasQuad = 1'b1,
+  parameter bit HasGouraud = 1'b1
+) (
+  input  logic     clk_i,
+  input  logic     is_quad_i,      // stable while a triangle is inside
+  input  logic     is_gouraud_i,
+
+  input  logic     load_i,
+  input  surface_t surface_i,
+  input  logic     next_row_i,     // gouraud: may come with finish_i, which then sees the new row
+  input  logic     product_i,
+  input  logic     finish_i,
+  input  logic     write_i,
+  input  offset_t  x_i,            // of the span's first pixel
+  output seed_t    seed_o
+);
+  logic is_quad, is_gouraud;
+  assign is_quad    = HasQuad && is_quad_i;
+  assign is_gouraud = HasGouraud && is_gouraud_i;
+
+  value_t a_q, b_q, c_q;
+  value_t row_q;                   // R
+  value_t row_difference_q;        // G
+  value_t slope_q;                 // P
+  value_t next_row;
+  assign next_row = row_q + row_difference_q;
+
+  always_ff @(posedge clk_i) begin
+    if (load_i) begin
+      row_q            <= surface_i.f;
+      slope_q          <= surface_i.d;
+      row_difference_q <= is_quad ? surface_i.b + surface_i.e : surface_i.e;
+      if (is_quad) begin
+        a_q <= surface_i.a;
+        b_q <= surface_i.b;
+        c_q <= surface_i.c;
+      end
+    end else if (next_row_i && (is_quad || is_gouraud)) begin
+      row_q <= next_row;
+      if (is_quad) begin
+        row_difference_q <= row_difference_q + (b_q <<< 1);
+        slope_q          <= slope_q + c_q;
+      end
+    end
+  end
+
+  value_t ax_q, product_q, base_q, difference_q, curvature_q, slope, first;
+  assign slope = is_quad ? ax_q + slope_q : slope_q;
+  assign first = is_quad || is_gouraud ? base_q + product_q : base_q;
+
+  always_ff @(posedge clk_i) begin
+    if (product_i && is_quad) ax_q <= a_q * value_t'(x_i);
+    if (finish_i) begin
+      if (is_quad || is_gouraud) product_q <= slope * value_t'(x_i);
+      base_q       <= is_gouraud && next_row_i ? next_row : row_q;
+      difference_q <= is_quad ? slope + ax_q + a_q : slope_q;
+      curvature_q  <= is_quad ? a_q <<< 1 : '0;
+    end
+    if (write_i) seed_o <= '{first: first, second: first + difference_q,
+                             difference: difference_q, curvature: curvature_q};
+  end
+endmodule
