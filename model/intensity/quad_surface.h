@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/intensity/flat_color.h"
+#include "model/intensity/word.h"
 
 namespace shading {
 
@@ -10,7 +11,8 @@ namespace shading {
 //   I(x+2) = 2 I(x+1) - I(x) + 2A
 //
 // The recurrence is exact; seeds rounded to 2^-27 codes move pixel t by (t^2 + t - 1) 2^-27 codes.
-class QuadSurface {
+template <typename Word = uint64_t>
+class BasicQuadSurface {
  public:
   static constexpr UnitContract kContract = {"quad_surface",
                                              "intensity",
@@ -21,21 +23,25 @@ class QuadSurface {
                                              0.0313,
                                              "spans of 2048 pixels, before the code is rounded"};
 
-  explicit QuadSurface(const ChannelSeed& seed)
-      : current_(Align(seed.first)), next_(Align(seed.second)), curvature_(Align(seed.curvature)) {}
+  explicit BasicQuadSurface(const ChannelSeed& seed)
+      : current_(ToWord<Word>(seed.first)),
+        next_(ToWord<Word>(seed.second)),
+        curvature_(ToWord<Word>(seed.curvature)) {}
 
   uint8_t code() const { return ClampCode(whole()); }
-  int64_t whole() const { return WholeCodes(current_); }  // before the clamp
+  int64_t whole() const { return WholeCodes(Bits(current_)); }  // before the clamp
   void Step() {
-    const uint64_t ahead = 2 * next_ - current_ + curvature_;
+    const Word ahead = (next_ << 1) - current_ + curvature_;
     current_ = next_;
     next_ = ahead;
   }
 
  private:
-  uint64_t current_;    // I(x)
-  uint64_t next_;       // I(x+1)
-  uint64_t curvature_;  // 2A
+  Word current_;    // I(x)
+  Word next_;       // I(x+1)
+  Word curvature_;  // 2A
 };
+
+using QuadSurface = BasicQuadSurface<>;
 
 }  // namespace shading
