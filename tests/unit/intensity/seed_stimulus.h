@@ -93,7 +93,8 @@ void ExpectSameCodes(const FlowPattern& steps, int spans, uint32_t random_seed) 
     const int idle = random() % 2 ? 0 : static_cast<int>(random() % 4);
     for (int left = length - 1 + idle; left > 0; ++cycle) {
       const bool step = left > idle && steps.At(cycle);
-      const ChannelSeed noise = {RandomAcc(random), RandomAcc(random), {}, RandomAcc(random)};
+      const ChannelSeed noise = {RandomAcc(random), RandomAcc(random), RandomAcc(random),
+                                 RandomAcc(random)};
       rtl.Cycle(false, step, noise);
       if (step) model.Step();
       if (step || left <= idle) --left;
