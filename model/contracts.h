@@ -6,11 +6,21 @@
 #include "model/intensity/flat_color.h"
 #include "model/intensity/gouraud_interpolator.h"
 #include "model/intensity/lane_seed.h"
+#include "model/intensity/quad_difference.h"
+#include "model/intensity/quad_horner.h"
+#include "model/intensity/quad_midpoint.h"
+#include "model/intensity/quad_polynomial.h"
+#include "model/intensity/quad_segment.h"
+#include "model/intensity/quad_split.h"
+#include "model/intensity/quad_step.h"
 #include "model/intensity/quad_surface.h"
+#include "model/intensity/quad_third_difference.h"
+#include "model/intensity/quad_three_term.h"
 #include "model/light/blinn_specular.h"
 #include "model/light/dot_product.h"
 #include "model/light/mean_cosines.h"
 #include "model/light/pixel_light.h"
+#include "model/light/quad_cosine.h"
 #include "model/light/rgb_combine.h"
 #include "model/light/specular_cosine.h"
 #include "model/light/specular_power.h"
@@ -32,6 +42,7 @@
 #include "model/raster/span_binder.h"
 #include "model/raster/span_setup.h"
 #include "model/raster/span_walker.h"
+#include "model/raster/subdivision.h"
 #include "model/raster/surface_fit.h"
 #include "model/raster/triangle_setup.h"
 #include "model/shading_unit.h"
@@ -40,6 +51,7 @@ namespace shading {
 
 // Every unit, in the order in which a triangle meets them.
 inline constexpr std::array kContracts = {
+    Subdivision::kContract,
     TriangleSetup::kContract,
     SpanWalker::kContract,
     SpecularPower::kContract,
@@ -55,6 +67,16 @@ inline constexpr std::array kContracts = {
     FlatColor::kContract,
     GouraudInterpolator::kContract,
     QuadSurface::kContract,
+    QuadPolynomial::kContract,
+    QuadHorner::kContract,
+    QuadStep::kContract,
+    QuadMidpoint::kContract,
+    QuadThreeTerm::kContract,
+    QuadThirdDifference::kContract,
+    QuadSegment::kContract,
+    QuadDifference::kContract,
+    QuadSplit::kContract,
+    QuadCosine::kContract,
     LinearRecurrence::kContract,
     SlerpRecurrence::kContract,
     SlerpPaper::kContract,

@@ -74,11 +74,10 @@ void ShadePoints(const SpanSeed& seed, Pixel* pixels) {
 // The segments of each lane are its own.
 class LaneSegments {
  public:
-  LaneSegments(const ChannelSeed& seed, Tolerance tolerance, int lanes) : lanes_(lanes) {
-    for (int lane = 0; lane < lanes; ++lane) {
-      lane_[static_cast<size_t>(lane)] = QuadSegment(LaneSeed::Of(seed, lane, lanes), tolerance);
-    }
-  }
+  LaneSegments(const ChannelSeed& seed, Tolerance tolerance, int lanes)
+      : lane_{Lane(seed, 0, tolerance, lanes), Lane(seed, 1, tolerance, lanes),
+              Lane(seed, 2, tolerance, lanes), Lane(seed, 3, tolerance, lanes)},
+        lanes_(lanes) {}
   int64_t whole() const { return lane_[at_].whole(); }
   void Step() {
     lane_[at_].Step();
@@ -86,6 +85,10 @@ class LaneSegments {
   }
 
  private:
+  static QuadSegment Lane(const ChannelSeed& seed, int lane, Tolerance tolerance, int lanes) {
+    return QuadSegment(LaneSeed::Of(seed, lane, lanes), tolerance);
+  }
+
   std::array<QuadSegment, kMaxLanes> lane_;
   size_t at_ = 0;
   int lanes_;

@@ -31,12 +31,19 @@ const count = (log, cell) => {
   return rows.length ? Number(rows.at(-1)[1] ?? rows.at(-1)[2]) : 0;
 };
 
-const units = ['flat_color', 'gouraud_interpolator', 'quad_surface', 'lane_seed', 'pixel_walker',
+const rows = ['quad_surface', 'quad_polynomial', 'quad_horner', 'quad_step', 'quad_midpoint',
+  'quad_three_term', 'quad_third_difference', 'quad_segment', 'quad_difference', 'quad_split'];
+// Recurrences of paper 003: shifts and additions only.
+const recurrences = [...rows.filter((name) => !['quad_polynomial', 'quad_horner'].includes(name)),
+  'quad_cosine'];
+const units = ['flat_color', 'gouraud_interpolator', ...rows, 'quad_cosine', 'lane_seed', 'pixel_walker',
   'span_setup', 'span_binder', 'normal_setup', 'linear_recurrence', 'slerp_recurrence', 'slerp_paper',
   'length_recurrence', 'slerp_direct_setup', 'slerp_direct', 'reciprocal_sqrt', 'phong_direct',
   'taylor_normalizer', 'duff_normalizer', 'dot_product', 'pixel_light', 'pixel_queue'];
 // One build per method: bit k of Methods is method k of method_e.
-const methods = ['flat', 'gouraud', 'quad', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
+const methods = ['flat', 'gouraud', 'quad', 'quad-polynomial', 'quad-horner', 'quad-step',
+  'quad-midpoint', 'quad-three-term', 'quad-third-difference', 'quad-segment', 'quad-difference',
+  'quad-split', 'quad-cosine', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
   'slerp-paper', 'slerp-intensity', 'slerp-direct'];
 const tops = [...units.map((name) => [name]),
   ...methods.map((name, k) => ['shading_unit', `${methods.length}'d${2 ** k}`, name])];
@@ -46,6 +53,6 @@ for (const [top, built, method] of tops) {
   const log = await yosys(top, built, 'synth_ecp5 -noabc9; stat');
   const cells = ['LUT4', 'TRELLIS_FF', 'CCU2C', 'MULT18X18D'].map((cell) => count(log, cell));
   console.log(`| ${top} | ${method ?? ''} | ${cells.join(' | ')} |`);
-  if (top === 'quad_surface' && cells[3] !== 0) throw new Error('quad_surface has a multiplier');
+  if (recurrences.includes(top) && cells[3] !== 0) throw new Error(`${top} has a multiplier`);
   if (cells[1] === 0 && top !== 'lane_seed') throw new Error(`${top}: no registers found; the log has changed its form`);
 }

@@ -95,7 +95,7 @@ for engine in rtl model ideal; do
 done
 check 'RTL and model draw the same picture' cmp rtl.png model.png
 accept render builtin:torus:8 builtin:saddle:4 --method all --size 80x60 -o many.png
-check 'one picture per scene and method' test "$(find . -name 'many-*.png' | wc -l)" -eq 20
+check 'one picture per scene and method' test "$(find . -name 'many-*.png' | wc -l)" -eq 40
 accept render builtin:sphere:6 --size 40x30 -o a.exr --camera persp --lighting phong --cull none
 accept verify builtin:sphere:6 --size 64x48 --method all --backpressure random --json v.json
 has_keys v.json method cycles cycles_per_pixel setup_cycles stall_cycles skipped pixels_compared \
@@ -105,6 +105,16 @@ accept verify --random 600 --method all --seed 9
 accept verify --random 600 --method all --seed 9 --lanes 4 --backpressure random --json four.json
 check 'four lanes are told' grep -q '"lanes": 4' four.json
 accept verify builtin:sphere:6 --size 64x48 --method slerp-intensity --lighting phong --lanes 4
+refuse 'tolerance' verify builtin:sphere --method quad-segment --tolerance 16
+accept verify builtin:sphere:3 --size 64x48 --method quad-segment --tolerance 2 --lanes 4
+accept cycles builtin:sphere:3 --size 64x48 --method quad --tolerance 1 --subdivide report --json report.json
+accept cycles builtin:sphere:3 --size 64x48 --method quad --tolerance 1 --subdivide split --json split.json
+check 'subdivision is counted' python3 - <<'END'
+import json
+report, split = json.load(open('report.json')), json.load(open('split.json'))
+assert report['over_limit_triangles'] > 0 and report['pieces'] == 0
+assert split['over_limit_triangles'] == report['over_limit_triangles'] < split['pieces']
+END
 for method in phong slerp-intensity; do
   for engine in rtl model; do
     accept render builtin:torus:8 --method $method --lanes 4 --engine $engine --size 80x60 \
