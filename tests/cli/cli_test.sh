@@ -109,12 +109,9 @@ refuse 'tolerance' verify builtin:sphere --method quad-segment --tolerance 16
 accept verify builtin:sphere:3 --size 64x48 --method quad-segment --tolerance 2 --lanes 4
 accept cycles builtin:sphere:3 --size 64x48 --method quad --tolerance 1 --subdivide report --json report.json
 accept cycles builtin:sphere:3 --size 64x48 --method quad --tolerance 1 --subdivide split --json split.json
-check 'subdivision is counted' python3 - <<'END'
-import json
-report, split = json.load(open('report.json')), json.load(open('split.json'))
-assert report['over_limit_triangles'] > 0 and report['pieces'] == 0
-assert split['over_limit_triangles'] == report['over_limit_triangles'] < split['pieces']
-END
+check 'subdivision is reported' grep -q '"over_limit_triangles": [1-9]' report.json
+check 'nothing is split when only reported' grep -q '"pieces": 0' report.json
+check 'subdivision is counted' grep -q '"pieces": [1-9]' split.json
 for method in phong slerp-intensity; do
   for engine in rtl model; do
     accept render builtin:torus:8 --method $method --lanes 4 --engine $engine --size 80x60 \
