@@ -7,10 +7,15 @@
 #include <vector>
 
 #include "model/intensity/quad_difference.h"
+#include "model/intensity/quad_horner.h"
 #include "model/intensity/quad_midpoint.h"
+#include "model/intensity/quad_polynomial.h"
+#include "model/intensity/quad_segment.h"
+#include "model/intensity/quad_step.h"
 #include "model/intensity/quad_surface.h"
 #include "model/intensity/quad_third_difference.h"
 #include "model/intensity/quad_three_term.h"
+#include "tests/unit/intensity/point_stimulus.h"
 #include "tests/unit/intensity/real_curve.h"
 
 namespace shading {
@@ -34,8 +39,14 @@ class QuadForms : public testing::Test {
   }
 };
 
-using Forms =
-    testing::Types<QuadSurface, QuadDifference, QuadThreeTerm, QuadThirdDifference, QuadMidpoint>;
+// Segments of one pixel, or of any length on a line.
+class ExactSegment : public QuadSegment {
+ public:
+  explicit ExactSegment(const ChannelSeed& seed) : QuadSegment(seed, Tolerance()) {}
+};
+
+using Forms = testing::Types<QuadSurface, QuadDifference, QuadThreeTerm, QuadThirdDifference,
+                             QuadMidpoint, QuadStep, ExactSegment>;
 TYPED_TEST_SUITE(QuadForms, Forms);
 
 // 2A may be any number of ulps, or even: twice a rounded A.
@@ -68,6 +79,47 @@ TYPED_TEST(QuadForms, WhatIsNotShownMayBeAnything) {
   for (int i = 0; i < 100000; ++i) {
     const int64_t first = static_cast<int64_t>(random() % 427) * kOneCode - 86 * kOneCode;
     this->ExpectSamePixels(Curve(first, RandomAcc(random).raw(), RandomAcc(random).raw()), 1);
+  }
+}
+
+// What span_setup and lane_seed make of a point, without their arithmetic.
+ChannelSeed SeedAt(const SurfacePoint& point, int lane, int lanes) {
+  const auto at = [&](int x) {
+    return static_cast<int64_t>(PolynomialAt(point.surface, point.x + x, point.y));
+  };
+  return WrappedSeed(at(lane), at(lane + lanes), at(lane + lanes) - at(lane),
+                     lanes * lanes * 2 * point.surface.a.raw());
+}
+
+// The forms that evaluate the surface anew show what the recurrences make of its seeds, whatever
+// wraps on the way.
+TEST(QuadSurfaceForms, SurfaceAndSeedsShowTheSamePixels) {
+  std::mt19937 random(2);
+  for (int span = 0; span < 4000; ++span) {
+    const int length = RandomLength(random), lanes = random() % 2 ? 4 : 1;
+    const int lane = static_cast<int>(random() % static_cast<unsigned>(lanes));
+    const SurfacePoint point = RandomPoint(length, random);
+    const ChannelSeed seed = SeedAt(point, lane, lanes);
+    QuadPolynomial polynomial(point, lane, lanes);
+    QuadHorner horner(point, lane, lanes);
+    QuadStep step(seed);
+    QuadDifference difference(seed);
+    QuadSurface surface(seed);
+    ExactSegment segment(seed);
+    for (int t = lane; t < length; t += lanes) {
+      SCOPED_TRACE(t);
+      ASSERT_EQ(horner.whole(), polynomial.whole());
+      ASSERT_EQ(step.whole(), polynomial.whole());
+      ASSERT_EQ(difference.whole(), polynomial.whole());
+      ASSERT_EQ(surface.whole(), polynomial.whole());
+      ASSERT_EQ(segment.whole(), polynomial.whole());
+      polynomial.Step();
+      horner.Step();
+      step.Step();
+      difference.Step();
+      surface.Step();
+      segment.Step();
+    }
   }
 }
 
