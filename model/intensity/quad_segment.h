@@ -43,32 +43,26 @@ class BasicQuadSegment {
   }
 
   BasicQuadSegment(const ChannelSeed& seed, Tolerance tolerance)
-      : BasicQuadSegment(seed, ShiftOf(seed.curvature, tolerance)) {}
+      : shift_(ShiftOf(seed.curvature, tolerance)), current_(ToWord<Word>(seed.first)) {
+    const Word a = ToWord<Word>(IntensityAcc::FromRaw(seed.curvature.raw() >> 1));
+    slope_ = ToWord<Word>(seed.difference) + (a << shift_) - a;
+    bend_ = ToWord<Word>(seed.curvature) << shift_;
+  }
 
   uint8_t code() const { return ClampCode(whole()); }
   int64_t whole() const { return WholeCodes(Bits(current_)); }  // before the clamp
-  int shift() const { return shift_; }                          // k
+  IntensityAcc value() const { return FromAligned<IntensityAcc>(Bits(current_)); }
+  int shift() const { return shift_; }  // k
   void Step() {
     current_ = current_ + slope_;
     if ((++t_ & ((1u << shift_) - 1)) == 0) slope_ = slope_ + bend_;
   }
 
  private:
-  BasicQuadSegment(const ChannelSeed& seed, int shift)
-      : current_(ToWord<Word>(seed.first)),
-        slope_(ToWord<Word>(seed.difference)),
-        bend_(ToWord<Word>(seed.curvature)),
-        shift_(shift) {
-    const Word a = ToWord<Word>(IntensityAcc::FromRaw(seed.curvature.raw() >> 1));
-    slope_ = slope_ + (a << shift) - a;
-    bend_ = bend_ << shift;
-  }
-
-  Word current_;  // I(t) on its line
-  Word slope_;
-  Word bend_;  // 2^k 2A
   int shift_;  // k
   unsigned t_ = 0;
+  Word current_;             // I(t) on its line
+  Word slope_{0}, bend_{0};  // bend: 2^k 2A
 };
 
 using QuadSegment = BasicQuadSegment<>;

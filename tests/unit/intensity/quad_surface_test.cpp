@@ -19,9 +19,8 @@ struct Surface5 {
   static uint8_t Code(const ChannelSeed& seed, int t) { return CodeOf(Value(seed, t)); }
   static ChannelSeed Seed(const RealCurve& curve) { return curve.SeedOfTwoValues(); }
 
-  // A, I(0) and I(1) lie half an ulp, less a 65536th, from their seeds.
   static RealCurve Extreme(double sign) {
-    const double half_ulp = sign * std::ldexp(0.5 - std::ldexp(1, -16), -26);
+    const double half_ulp = sign * AlmostHalfUlp();
     return RealCurve::Through(10 - half_ulp, 10.125 + half_ulp, std::ldexp(1, -16) + half_ulp);
   }
   static double Bound(int t) {

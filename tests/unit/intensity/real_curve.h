@@ -12,9 +12,15 @@ namespace shading {
 // Pixels for which the second-order units state their errors.
 inline constexpr int kBoundedLength = 2048;
 
-// A seed from raw S9.26 numbers; its difference wraps as that of lane_seed does.
+// A seed from raw numbers of any size, which wrap as registers do.
+inline ChannelSeed WrappedSeed(int64_t first, int64_t second, int64_t difference,
+                               int64_t curvature) {
+  return {IntensityAcc::Wrap(first), IntensityAcc::Wrap(second), IntensityAcc::Wrap(difference),
+          IntensityAcc::Wrap(curvature)};
+}
+// The seed of a curve through I(0) and I(1).
 inline ChannelSeed Curve(int64_t first, int64_t second, int64_t curvature) {
-  return SeedOf(first, second, IntensityAcc::Wrap(second - first).raw(), curvature);
+  return WrappedSeed(first, second, second - first, curvature);
 }
 
 // 2^26 I(t) of first + t difference + t (t - 1) / 2 curvature, without a recurrence and without a
@@ -24,6 +30,11 @@ inline Int128 CurveAt(Int128 first, Int128 difference, Int128 curvature, int t) 
 }
 inline Int128 CurveAt(const ChannelSeed& seed, int t) {
   return CurveAt(seed.first.raw(), seed.difference.raw(), seed.curvature.raw(), t);
+}
+
+// Half an ulp of S9.26, less a 65536th ulp: what is off by it rounds back.
+inline double AlmostHalfUlp() {
+  return std::ldexp(0.5 - std::ldexp(1, -16), -IntensityAcc::kFraction);
 }
 
 // A real curve I(t) = A t^2 + D t + F. F contains the half code that makes truncation round. The
@@ -37,6 +48,9 @@ struct RealCurve {
   static RealCurve Through3(double first, double second, double third) {
     return Through(first, second, (first - 2 * second + third) / 2);
   }
+  static RealCurve FromDifferences(double first, double difference, double a) {
+    return {a, difference - a, first};
+  }
   long double At(int t) const { return (static_cast<long double>(a) * t + d) * t + f; }
 
   // Rounds I(0), I(1) and A.
@@ -47,16 +61,16 @@ struct RealCurve {
   // Rounds I(0), I(1), I(2) and A: I(2) stands in the seed as second + difference + curvature.
   ChannelSeed SeedOfThreeValues() const {
     const int64_t second = Round(At(1)), curvature = 2 * Round(a);
-    return SeedOf(Round(At(0)), second, Round(At(2)) - second - curvature, curvature);
+    return WrappedSeed(Round(At(0)), second, Round(At(2)) - second - curvature, curvature);
   }
 
  private:
   static int64_t Round(long double real) {
-    return IntensityAcc::Round(static_cast<double>(real)).raw();
+    return std::llround(std::ldexp(real, IntensityAcc::kFraction));
   }
   ChannelSeed DifferenceSeed(int64_t curvature) const {
     const int64_t first = Round(At(0)), difference = Round(static_cast<long double>(a) + d);
-    return SeedOf(first, first + difference, difference, curvature);
+    return WrappedSeed(first, first + difference, difference, curvature);
   }
 };
 
