@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
 #include <regex>
+#include <sstream>
 #include <string>
 
 #include "model/contracts.h"
@@ -67,6 +69,26 @@ TEST(Pages, ReadmeNamesEveryUnit) {
 TEST(Pages, ReadmeIsShort) {
   const std::string readme = ReadFile(kRoot / "README.md");
   EXPECT_LT(std::count(readme.begin(), readme.end(), '\n'), 150);
+}
+
+// FNV-1a of 64 bits, as scripts/diagrams.mjs has it.
+std::string Hash(const std::string& text) {
+  uint64_t value = 0xcbf29ce484222325u;
+  for (const char c : text) value = (value ^ static_cast<uint8_t>(c)) * 0x100000001b3u;
+  std::ostringstream hex;
+  hex << std::hex << std::setw(16) << std::setfill('0') << value;
+  return hex.str();
+}
+
+TEST(Pages, DiagramsAreDrawnFromTheRtlAsItIs) {
+  for (const std::string unit : {"quad_surface", "quad_third_difference"}) {
+    const std::string path = "rtl/intensity/" + unit + ".sv";
+    const std::string picture = ReadFile(kRoot / "docs/images" / (unit + ".svg"));
+    EXPECT_NE(picture.find(path + " " + Hash(ReadFile(kRoot / path))), std::string::npos)
+        << unit << ": run scripts/diagrams.sh";
+    const std::string page = ReadFile(kRoot / "docs/units/intensity" / (unit + ".md"));
+    EXPECT_NE(page.find("images/" + unit + ".svg"), std::string::npos) << "the page shows it";
+  }
 }
 
 TEST(Pages, LinksLeadSomewhere) {
