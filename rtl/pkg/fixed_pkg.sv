@@ -17,6 +17,8 @@ package fixed_pkg;
   typedef logic        [23:0] u0_24_t;
   typedef logic        [24:0] u1_24_t;
   typedef logic        [28:0] u1_28_t;
+  typedef logic        [30:0] u1_30_t;
+  typedef logic        [32:0] u1_32_t;
   typedef logic        [40:0] u1_40_t;
   typedef logic        [45:0] u2_44_t;
 endpackage

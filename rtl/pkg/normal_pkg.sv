@@ -58,6 +58,51 @@ package normal_pkg;
     logic        [34:0] sine;                // sqrt(kappa) / sin(phi), U1.34
   } arc_turn_t;
 
+  // Where the normals between the ends of a span come from, paper 002.
+  typedef enum logic [1:0] {
+    AdaptiveSphere   = 2'd0,                 // bisection of the span itself: slerp
+    AdaptiveExtended = 2'd1,                 // the paper's: of the span extended to a power of 2
+    AdaptiveChord    = 2'd2                  // normalised points of the chord: Phong
+  } adaptive_kind_e;
+
+  // 1 - cos of the largest angle between two normals that are joined by a straight line; U0.30.
+  typedef logic [29:0] angle_limit_t;
+
+  // Levels of division: a part of the longest span is as short as a pixel.
+  localparam int unsigned AdaptiveLevels = 12;
+
+  // What halves a span: inverse = 2^exponent / width.
+  typedef struct packed {
+    span_normal_t [1:0][Components-1:0]  normal;      // left and right end
+    angle_limit_t                        limit;
+    logic [11:0]                         last_pixel;
+    logic [12:0]                         width;       // steps between the ends
+    u1_30_t                              inverse;
+    logic [3:0]                          exponent;
+    logic [3:0]                          levels;      // that the angle wants
+    u1_32_t [AdaptiveLevels-1:0]         divisor;     // 1/z of each level
+  } adaptive_span_t;
+
+  // A part of a span between two normals, with at least one pixel.
+  typedef struct packed {
+    span_normal_t [1:0][Components-1:0]  normal;      // left and right end
+    u1_30_t                              inverse;
+    logic [3:0]                          exponent;
+    logic [3:0]                          level;
+    logic [24:0]                         place;       // of the left end, U13.12 pixels
+    logic [11:0]                         first;       // pixel
+    logic [12:0]                         count;       // pixels
+    logic                                last;        // of its span
+  } adaptive_part_t;
+
+  // Its pixels, N(i) = first + i difference from the first pixel of a group of lanes on.
+  typedef struct packed {
+    quantity_t [Components-1:0]          first;
+    quantity_t [Components-1:0]          difference;
+    logic [12:0]                         count;
+    logic                                last;
+  } adaptive_segment_t;
+
   // 1/sqrt(q) = mantissa 2^exponent; mantissa in [1/2, 1], exponent 0..22.
   typedef struct packed {
     u1_24_t     mantissa;

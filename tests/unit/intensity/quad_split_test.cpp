@@ -29,8 +29,8 @@ ChannelSeed TermSeed(int length, std::mt19937& random) {
   const auto round = [](double codes) {
     return IntensityAcc::Wrap(std::llround(std::ldexp(codes, IntensityAcc::kFraction)));
   };
-  const double first = 200 * unit(random), difference = 200 * unit(random) / length;
-  return {round(first), {}, round(difference), round(400 * unit(random) / length / length)};
+  const double first = 120 * unit(random), difference = 120 * unit(random) / length;
+  return {round(first), {}, round(difference), round(200 * unit(random) / length / length)};
 }
 
 Seeds RandomSeeds(int length, std::mt19937& random) {

@@ -142,7 +142,7 @@ TEST(TriangleSetup, VerdictBoxAndEdgesEqualDefinition) {
 // Largest errors of the planes at far covered pixels of random triangles.
 struct PlaneErrors {
   double depth = 0;                // ulp of U0.24
-  std::array<double, 3> weight{};  // 2^-18, by corner
+  std::array<double, 3> weight{};  // 2^-21, by corner
   std::vector<SpanCommand> spans;
 
   void Try(const TrianglePacket& packet, const FrameState& frame) {
@@ -164,9 +164,10 @@ struct PlaneErrors {
         const uint64_t value = planes[i].At(x - spans[0].x, y - spans[0].y);
         sum += value;
         weight[i] = std::max(
-            weight[i], 0x1p-12 * Off(value, w[static_cast<size_t>(g.corner[i])], exact.area(), 30));
+            weight[i], 0x1p-12 * Off(value, w[static_cast<size_t>(g.corner[i])], exact.area(),
+                                TriangleSetup::kBarycentricFraction));
       }
-      ASSERT_EQ(sum, uint64_t{1} << 30) << "the weights add up to exactly 1";
+      ASSERT_EQ(sum, uint64_t{1} << TriangleSetup::kBarycentricFraction) << "the weights add up to exactly 1";
     });
   }
 
@@ -197,7 +198,7 @@ TEST(TriangleSetup, PlanesWithinErrorBound) {
   const PlaneErrors worst = Search(kMaxScreen, 20000);
   RecordProperty("worst_depth_milliulp", static_cast<int>(worst.depth * 1000));
   for (size_t i = 0; i < 3; ++i) {
-    RecordProperty("worst_weight_" + std::to_string(i) + "_permille_of_2^-18",
+    RecordProperty("worst_weight_" + std::to_string(i) + "_permille_of_2^-21",
                    static_cast<int>(worst.weight[i] * 1000));
   }
   EXPECT_LE(worst.depth, TriangleSetup::kContract.max_error_ulp);
