@@ -4,13 +4,15 @@
 #include "model/light/specular_cosine.h"
 #include "model/light/specular_math.h"
 
-// A pass is compiled for the vector registers of three generations of processors; the program takes
-// the best that its machine has.
+// All passes are compiled as one function for the vector registers of three generations of
+// processors; the program takes the best that its machine has.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
-#define SHADESIM_VECTOR_PASS \
+#define SHADESIM_VECTOR_CLONES \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#define SHADESIM_PASS __attribute__((always_inline)) inline
 #else
-#define SHADESIM_VECTOR_PASS
+#define SHADESIM_VECTOR_CLONES
+#define SHADESIM_PASS inline
 #endif
 
 namespace shading {
@@ -20,6 +22,7 @@ struct PixelLightBlock::Passes {
   struct Sums {
     int32_t unlit, no_highlight, visible;
   };
+  static void Fill(Cosines* cosines, size_t begin);  // one group
   static void Reflect(PixelLightBlock* block, size_t groups, int64_t l_dot_v);
   static Sums Count(const PixelLightBlock* block, size_t groups, int32_t least_visible);
   static void SplitOctaves(PixelLightBlock* block, size_t groups, int32_t least_visible);
@@ -29,7 +32,12 @@ struct PixelLightBlock::Passes {
                       const std::array<RgbCombine::Channel, 3>& channel);
 };
 
-SHADESIM_VECTOR_PASS
+SHADESIM_PASS
+void PixelLightBlock::Passes::Fill(Cosines* cosines, size_t begin) {
+  for (size_t i = 0; i < kGroup; ++i) (*cosines)[begin + i] = 1;
+}
+
+SHADESIM_PASS
 void PixelLightBlock::Passes::Reflect(PixelLightBlock* block, size_t groups, int64_t l_dot_v) {
   for (size_t i = 0; i < groups * kGroup; ++i) {
     block->specular_[i] =
@@ -37,7 +45,7 @@ void PixelLightBlock::Passes::Reflect(PixelLightBlock* block, size_t groups, int
   }
 }
 
-SHADESIM_VECTOR_PASS
+SHADESIM_PASS
 PixelLightBlock::Passes::Sums PixelLightBlock::Passes::Count(const PixelLightBlock* block,
                                                              size_t groups, int32_t least_visible) {
   Sums sums = {};
@@ -49,7 +57,7 @@ PixelLightBlock::Passes::Sums PixelLightBlock::Passes::Count(const PixelLightBlo
   return sums;
 }
 
-SHADESIM_VECTOR_PASS
+SHADESIM_PASS
 void PixelLightBlock::Passes::SplitOctaves(PixelLightBlock* block, size_t groups,
                                            int32_t least_visible) {
   for (size_t i = 0; i < groups * kGroup; ++i) {
@@ -61,7 +69,7 @@ void PixelLightBlock::Passes::SplitOctaves(PixelLightBlock* block, size_t groups
   }
 }
 
-SHADESIM_VECTOR_PASS
+SHADESIM_PASS
 void PixelLightBlock::Passes::TimesShininess(PixelLightBlock* block, size_t groups,
                                              uint32_t shininess) {
   for (size_t i = 0; i < groups * kGroup; ++i) {
@@ -72,7 +80,7 @@ void PixelLightBlock::Passes::TimesShininess(PixelLightBlock* block, size_t grou
   }
 }
 
-SHADESIM_VECTOR_PASS
+SHADESIM_PASS
 void PixelLightBlock::Passes::RoundPower(PixelLightBlock* block, size_t groups,
                                          int32_t least_visible) {
   for (size_t i = 0; i < groups * kGroup; ++i) {
@@ -82,7 +90,7 @@ void PixelLightBlock::Passes::RoundPower(PixelLightBlock* block, size_t groups,
   }
 }
 
-SHADESIM_VECTOR_PASS
+SHADESIM_PASS
 void PixelLightBlock::Passes::Combine(PixelLightBlock* block, size_t groups,
                                       const std::array<RgbCombine::Channel, 3>& channel) {
   const RgbCombine::Channel red = channel[0], green = channel[1], blue = channel[2];
@@ -96,17 +104,15 @@ void PixelLightBlock::Passes::Combine(PixelLightBlock* block, size_t groups,
   }
 }
 
+SHADESIM_VECTOR_CLONES
 PixelLightBlock::Counts PixelLightBlock::Shade(const LightConstants& constants, size_t count) {
   const size_t groups = (count + kGroup - 1) / kGroup, pixels = groups * kGroup;
-  // Pixels that fill the last group are neither unlit nor without highlight: no sum sees them.
-  const auto fill = [&](PerPixel<int32_t>* cosine) {
-    for (size_t i = count; i < pixels; ++i) (*cosine)[i] = 1;
-  };
-  fill(&n_dot_l_);
-  fill(&specular_);
+  // Pixels that fill up the last group are neither unlit nor without highlight: no sum sees them.
+  Passes::Fill(&n_dot_l_, count);
+  Passes::Fill(&specular_, count);
   if (constants.phong) {
     Passes::Reflect(this, groups, constants.l_dot_v);
-    fill(&specular_);
+    Passes::Fill(&specular_, count);
   }
   const auto sums = Passes::Count(this, groups, constants.least_visible);
   if (constants.has_specular && sums.visible != 0) {

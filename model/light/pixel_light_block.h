@@ -44,12 +44,13 @@ class PixelLightBlock {
   static constexpr size_t kGroup = 16;  // loops run over whole groups and need no remainder
   template <typename T>
   using PerPixel = std::array<T, kSize>;
+  using Cosines = std::array<int32_t, kSize + kGroup>;  // a group may start at any pixel
   struct Passes;
 
-  alignas(64) PerPixel<int32_t> n_dot_l_;
-  alignas(64) PerPixel<int32_t> specular_;  // N.H or N.V, then the specular cosine
-  alignas(64) PerPixel<int32_t> octaves_;   // zeros of the specular cosine, then octaves
-  alignas(64) PerPixel<int32_t> place_;     // u, then g
+  alignas(64) Cosines n_dot_l_;
+  alignas(64) Cosines specular_;           // N.H or N.V, then the specular cosine
+  alignas(64) PerPixel<int32_t> octaves_;  // zeros of the specular cosine, then octaves
+  alignas(64) PerPixel<int32_t> place_;    // u, then g
   alignas(64) PerPixel<PlacedSegment> segment_;
   alignas(64) PerPixel<int32_t> highlight_;
   alignas(64) PerPixel<uint32_t> codes_;
