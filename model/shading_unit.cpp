@@ -96,25 +96,32 @@ class LaneSegments {
 
 }  // namespace
 
+// Cosines come one after the other, light in blocks.
 template <int kLanes, typename Shader>
 void ShadingUnit::LightSpan(Shader shader, Pixel* pixels) {
+  constexpr int kBlock = PixelLightBlock::kSize;
+  PixelLightBlock block;
   PixelWalker walker(seed_);
-  int64_t unlit = 0, no_highlight = 0;
   const int length = seed_.length;
-  for (int i = 0; i < length; i += kLanes, shader.Step()) {
-    const int group = kLanes == 1 ? 1 : std::min(kLanes, length - i);
-    for (int lane = 0; lane < group; ++lane, walker.Step()) {
-      Pixel* pixel = pixels + i + lane;
-      const auto report = light_.ShadeAndReport(shader.At(static_cast<size_t>(lane), work_.light));
-      WritePosition(walker, pixel);
-      WriteColor(report.codes.r, report.codes.g, report.codes.b, pixel);
-      unlit += report.unlit;
-      no_highlight += report.no_highlight;
+  for (int start = 0; start < length; start += kBlock) {
+    const int count = std::min(kBlock, length - start);
+    for (int i = 0; i < count; i += kLanes, shader.Step()) {
+      const int group = kLanes == 1 ? 1 : std::min(kLanes, count - i);
+      for (int lane = 0; lane < group; ++lane) {
+        block.SetCosines(static_cast<size_t>(i + lane),
+                         shader.At(static_cast<size_t>(lane), work_.light));
+      }
+    }
+    const auto counts = light_.ShadeBlock(static_cast<size_t>(count), &block);
+    counters_.unlit += counts.unlit;
+    counters_.no_highlight += counts.no_highlight;
+    for (int i = 0; i < count; ++i, walker.Step()) {
+      WritePosition(walker, pixels + start + i);
+      const uint32_t codes = block.codes(static_cast<size_t>(i));
+      std::memcpy(&pixels[start + i].r, &codes, sizeof codes);
     }
   }
   pixels[length - 1].last = 1;
-  counters_.unlit += unlit;
-  counters_.no_highlight += no_highlight;
 }
 
 template <int kLanes>

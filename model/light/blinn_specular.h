@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/light/light_types.h"
-#include "model/light/specular_table.h"
+#include "model/light/specular_math.h"
 #include "model/unit_contract.h"
 
 namespace shading {
@@ -31,47 +31,27 @@ class BlinnSpecular {
 
   // Pixels outside the highlight cost one comparison.
   Highlight Of(Cosine x) const {
-    return x.raw() < least_visible_ ? Highlight() : Power(ClampedRaw(x));
+    if (x.raw() < least_visible_) return Highlight();
+    return Highlight::FromRaw(SpecularMath::Power(static_cast<int32_t>(ClampedRaw(x)), n_));
   }
   // The least cosine, 1..2^30, whose highlight is not 0.
   Cosine least_visible() const { return Cosine::FromRaw(least_visible_); }
+  uint32_t raw_shininess() const { return n_; }
 
   // Whether the power is computed at all.
   static bool Lit(Cosine x) { return x.raw() > 0; }
 
   // -log2 x in U5.30, for x in U1.30, 2^-30..1.
   static int64_t NegativeLog2(int64_t x) {
-    // Leading zeros of x - 1 ulp as a number of 30 bits; 0 has 30.
-    const int zeros = __builtin_clz((static_cast<uint32_t>(x - 1) << 2) | 3);
-    const int64_t u = (((int64_t{1} << 30) - x) << zeros) & ((int64_t{1} << 29) - 1);
-    const QuadraticSegment& segment = kLogTable[static_cast<size_t>(u >> 22)];
-    const int64_t d = u & ((int64_t{1} << 22) - 1);
-    const int64_t slope = segment.slope + ((segment.curvature * (d >> 4)) >> 20);
-    return (static_cast<int64_t>(zeros) << 30) + segment.value + ((slope * d) >> 21);
+    const SpecularMath::Octave octave = SpecularMath::OctaveOf(static_cast<int32_t>(x));
+    return (int64_t{octave.zeros} << 30) + SpecularMath::Log(octave.u);
   }
-
   // 2^g in U2.22, for g in U0.23.
-  static int64_t Exp2(int64_t g) {
-    const QuadraticSegment& segment = kExpTable[static_cast<size_t>(g >> 18)];
-    const int64_t d = g & ((int64_t{1} << 18) - 1);
-    const int64_t slope = segment.slope + ((segment.curvature * (d >> 5)) >> 14);
-    return segment.value + ((slope * d) >> 18);
-  }
+  static int64_t Exp2(int64_t g) { return SpecularMath::Exp2(static_cast<int32_t>(g)); }
 
  private:
-  // For x in U1.30, 2^-30..1.
-  Highlight Power(int64_t x) const {
-    constexpr int64_t kOne = int64_t{1} << 23;
-    const int64_t t = (NegativeLog2(x) * n_) >> 14;  // U14.23
-    const int64_t octaves = (t + kOne - 1) >> 23;
-    if (octaves > Highlight::kFraction + 1) return Highlight();
-    const int shift = 6 + static_cast<int>(octaves);
-    const int64_t power = Exp2(octaves * kOne - t);
-    return Highlight::FromRaw((power + (int64_t{1} << (shift - 1))) >> shift);
-  }
-
-  int64_t n_;
-  int64_t least_visible_;
+  uint32_t n_;
+  int32_t least_visible_;
 };
 
 }  // namespace shading

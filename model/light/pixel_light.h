@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/light/blinn_specular.h"
+#include "model/light/pixel_light_block.h"
 #include "model/light/rgb_combine.h"
 #include "model/light/specular_cosine.h"
 
@@ -34,8 +35,7 @@ class PixelLight {
     bool no_highlight;  // the power was not computed
   };
 
-  explicit PixelLight(const LightState& light)
-      : cosine_(light), power_(Shininess::FromRaw(1 << Shininess::kFraction)) {}
+  explicit PixelLight(const LightState& light);
 
   void SetMaterial(const Material& material);
 
@@ -44,7 +44,7 @@ class PixelLight {
   Report ShadeAndReport(const LightCosines& cosines) const {
     Highlight highlight;
     bool no_highlight = true;
-    if (has_specular_) {
+    if (constants_.has_specular) {
       const Cosine specular = cosine_.Specular(cosines);
       no_highlight = !BlinnSpecular::Lit(specular);
       highlight = power_.Of(specular);
@@ -53,11 +53,16 @@ class PixelLight {
             SpecularCosine::Unlit(cosines), no_highlight};
   }
 
+  // The same for the first `count` pixels of a block.
+  PixelLightBlock::Counts ShadeBlock(size_t count, PixelLightBlock* block) const {
+    return block->Shade(constants_, count);
+  }
+
  private:
   SpecularCosine cosine_;
   BlinnSpecular power_;
   Material material_;
-  bool has_specular_ = false;
+  LightConstants constants_;
 };
 
 }  // namespace shading

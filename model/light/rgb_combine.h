@@ -26,21 +26,30 @@ class RgbCombine {
 
   static PixelCodes Of(Diffuse diffuse, Highlight highlight, const Material& material) {
     const auto code = [&](size_t c) {
-      return CodeOf(material.ambient[c], material.diffuse[c], material.specular[c], diffuse.raw(),
-                    highlight.raw());
+      return static_cast<uint8_t>(RawCode(RawChannel(material, c),
+                                          static_cast<int32_t>(diffuse.raw()),
+                                          static_cast<int32_t>(highlight.raw())));
     };
     return {code(0), code(1), code(2)};
   }
 
- private:
-  static uint8_t CodeOf(Reflectance ambient, Reflectance diffuse, Reflectance specular,
-                        int64_t n_dot_l, int64_t highlight) {
+  // Reflectances of one channel.
+  struct Channel {
+    int32_t ambient, diffuse, specular;
+  };
+  static Channel RawChannel(const Material& material, size_t c) {
+    return {static_cast<int32_t>(material.ambient[c].raw()),
+            static_cast<int32_t>(material.diffuse[c].raw()),
+            static_cast<int32_t>(material.specular[c].raw())};
+  }
+  static int64_t RawCode(const Channel& channel, int32_t diffuse, int32_t highlight) {
     constexpr int kFraction = Reflectance::kFraction + Diffuse::kFraction;
     constexpr int64_t kOne = int64_t{1} << kFraction;
-    const int64_t light = (ambient.raw() << Diffuse::kFraction) + diffuse.raw() * n_dot_l +
-                          ((specular.raw() * highlight) << 1);
+    const int64_t light = (int64_t{channel.ambient} << Diffuse::kFraction) +
+                          int64_t{channel.diffuse} * diffuse +
+                          ((int64_t{channel.specular} * highlight) << 1);
     const int64_t clamped = light < kOne ? light : kOne;
-    return static_cast<uint8_t>(((clamped << 8) - clamped + kOne / 2) >> kFraction);
+    return ((clamped << 8) - clamped + kOne / 2) >> kFraction;
   }
 };
 

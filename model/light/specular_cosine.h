@@ -32,16 +32,27 @@ class SpecularCosine {
 
   Cosine Specular(const LightCosines& cosines) const {
     if (!phong_) return cosines.n_dot_h_or_v;
-    constexpr int kExtra = Cosine::kFraction - 1;  // twice the product
-    const int64_t product = cosines.n_dot_l.raw() * cosines.n_dot_h_or_v.raw();  // S3.60
-    return RoundSaturateCosine(((product + (int64_t{1} << (kExtra - 1))) >> kExtra) - l_dot_v_, 0);
+    return Cosine::FromRaw(Reflected(static_cast<int32_t>(cosines.n_dot_l.raw()),
+                                     static_cast<int32_t>(cosines.n_dot_h_or_v.raw()), l_dot_v_));
   }
 
   static Diffuse DiffuseOf(const LightCosines& cosines) {
-    constexpr int kExtra = Cosine::kFraction - Diffuse::kFraction;
-    return Diffuse::FromRaw((ClampedRaw(cosines.n_dot_l) + (int64_t{1} << (kExtra - 1))) >> kExtra);
+    return Diffuse::FromRaw(RawDiffuse(static_cast<int32_t>(cosines.n_dot_l.raw())));
   }
 
+  // The same on raw numbers: R.V, and the diffuse factor.
+  static int32_t Reflected(int32_t n_dot_l, int32_t n_dot_v, int64_t l_dot_v) {
+    constexpr int kExtra = Cosine::kFraction - 1;        // twice the product
+    const int64_t product = int64_t{n_dot_l} * n_dot_v;  // S3.60
+    return SaturateCosine(((product + (int64_t{1} << (kExtra - 1))) >> kExtra) - l_dot_v);
+  }
+  static int32_t RawDiffuse(int32_t n_dot_l) {
+    constexpr int kExtra = Cosine::kFraction - Diffuse::kFraction;
+    return (ClampCosine(n_dot_l) + (1 << (kExtra - 1))) >> kExtra;
+  }
+
+  bool phong() const { return phong_; }
+  int64_t l_dot_v() const { return l_dot_v_; }
   static bool Unlit(const LightCosines& cosines) { return cosines.n_dot_l.raw() <= 0; }
 
  private:

@@ -150,10 +150,11 @@ SpanNormal AdaptiveNormalizer::Middle(int level) {
   return middle;
 }
 
-// Whether the part at hand is divided: a pixel lies inside and the angle is too large.
+// Whether the part at hand is divided: a pixel lies inside and the angle is too large. The last
+// pixel is never before `next`: a part that contains it is the last.
 bool AdaptiveNormalizer::Divides() {
   const int64_t next = (place_ >> kPlace) + 1;  // first pixel behind its start
-  if (level_ == levels_ || next > last_pixel_ || next << kPlace >= right()) return false;
+  if (level_ == levels_ || next << kPlace >= right()) return false;
   if (kind_ != AdaptiveKind::kChord) return true;
   steps_ += kChordTest;
   if (Small()) return false;

@@ -83,9 +83,11 @@ Kappa KappaOf(int64_t kappa) {
     result.mantissa = U<1, 28>::FromRaw(int64_t{1} << 28);
     return result;
   }
-  // kappa 4^p <= 1: the highest bit may rise to just below 1, or become 1.
-  int p = 0;
-  while (p < kMaxKappaExponent && kappa << (2 * p + 2) <= kOne) ++p;
+  // The largest p with kappa 4^p <= 1; the bit that is always set stands for kMaxKappaExponent.
+  constexpr int kLeastBits = kKappa - 2 * kMaxKappaExponent;
+  const uint64_t below = static_cast<uint64_t>(kappa - (kappa > 0)) | uint64_t{1}
+                                                                          << (kLeastBits - 1);
+  const int p = (kKappa - 64 + __builtin_clzll(below)) / 2;
   result.mantissa = U<1, 28>::FromRaw(RoundShift(kappa << (2 * p), kKappa - 28));
   result.exponent = p;
   return result;
@@ -128,11 +130,22 @@ QuantitySeed QuantityOf(int64_t sa, int64_t sb, const Turn& turn) {
   return {Quantity::Wrap(sa), Quantity::Wrap(RoundShift(sum, kDelta))};
 }
 
+// Part by part: as a whole it becomes a string instruction, which takes longer to start than the
+// parts take in all.
+void Clear(NormalSeed* seed) {
+  seed->quantity[0] = {};
+  seed->quantity[1] = {};
+  seed->quantity[2] = {};
+  seed->length_square = {};
+  seed->kappa = {};
+  seed->step_kappa = {};
+}
+
 }  // namespace
 
 void NormalSetup::Seed(const SetupKind& kind, const LightState& light, const SpanCommand& span,
                        int lanes, NormalSeed* seed) {
-  *seed = NormalSeed();
+  Clear(seed);
   const SpanNormal &na = span.normal[0], &nb = span.normal[1];
   const int m = std::max(1, span.length - 1);
   const Reciprocal inverse = ReciprocalOf(m);

@@ -82,8 +82,8 @@ module adaptive_normalizer_divide
   assign behind   = 13'((right + 25'd4095) >> 12);
   assign last     = right >= {1'b0, span_q.last_pixel, 12'd0};
   assign pixels   = (last ? 13'(span_q.last_pixel) + 13'd1 : behind) - first;
-  assign inner    = level_q != span_q.levels && next <= 13'(span_q.last_pixel) &&
-                    {next, 12'd0} < right;
+  // The last pixel is never before next: a part that contains it is the last.
+  assign inner    = level_q != span_q.levels && {next, 12'd0} < right;
 
   // Not for chords, which take their time.
   logic whole;                               // the part is not divided

@@ -4,6 +4,7 @@
 #include <verilated.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -57,44 +58,35 @@ class AdaptiveNormalizerBuildDut {
   AdaptiveNormalizerBuildDut()
       : context_(std::make_unique<VerilatedContext>()),
         top_(std::make_unique<Top>(context_.get())) {
+    Reset();
+  }
+
+  void Reset() {
+    top_->span_valid_i = 0;
     top_->rst_ni = 0;
     Tick();
     top_->rst_ni = 1;
   }
 
+  // Until every span left, or until cycle `stop`.
   Result Run(AdaptiveKind kind, const std::vector<Span>& spans, const FlowPattern& span_flow,
-             const FlowPattern& pixel_flow) {
+             const FlowPattern& pixel_flow, int64_t stop = INT64_MAX) {
     Result result;
     top_->kind_i = static_cast<uint8_t>(kind);
-    size_t left = 0;
-    bool held = false;
-    Group on_offer = {};
-    int64_t idle = 0;
-    for (int64_t cycle = 0; left < spans.size(); ++cycle) {
+    size_t pixels = 0;
+    for (const Span& span : spans) pixels += static_cast<size_t>(span.run.length);
+    Watch watch;
+    for (int64_t cycle = 0; watch.left < spans.size(); ++cycle) {
+      if (cycle == stop) return result;
       const bool wants = result.spans.size() < spans.size() && span_flow.At(cycle);
       if (!top_->span_valid_i && wants) Drive(spans[result.spans.size()]);
       top_->pixel_ready_i = pixel_flow.At(cycle);
       Settle();
-      if (top_->span_valid_i && top_->span_ready_o) result.spans.push_back(cycle);
-      if (top_->run_valid_o) result.starts.push_back({BitsOfRun(top_->run_o), cycle});
-      if (top_->count_valid_o) {
-        result.counts.push_back({top_->normalised_o, top_->skipped_o, cycle});
-      }
-      const Group group = top_->pixel_valid_o ? Read(cycle) : Group{};
-      if (held && !(top_->pixel_valid_o && Same(group, on_offer))) {
-        result.failure = "a group on offer changed in cycle " + std::to_string(cycle);
-      }
-      held = top_->pixel_valid_o && !top_->pixel_ready_i;
-      on_offer = group;
-      if (top_->pixel_valid_o && top_->pixel_ready_i) {
-        result.groups.push_back(group);
-        left += group.last;
-        idle = 0;
-      }
-      if (++idle > kDeadline)
-        result.failure = "no group for too long, cycle " + std::to_string(cycle);
-      if (!result.failure.empty()) return result;
       const bool taken = top_->span_valid_i && top_->span_ready_o;
+      if (taken) result.spans.push_back(cycle);
+      Observe(cycle, &watch, &result);
+      if (result.groups.size() > pixels) result.failure = "more groups than pixels";
+      if (!result.failure.empty()) return result;
       Tick();
       if (taken) Undrive();
     }
@@ -110,7 +102,37 @@ class AdaptiveNormalizerBuildDut {
   }
 
  private:
-  static constexpr int64_t kDeadline = 4000;  // two normalisations of a chord at every level
+  static constexpr int64_t kDeadline = 2000;  // four segments of a chord, halved at every level
+
+  // The pixels' side so far.
+  struct Watch {
+    size_t left = 0;   // spans
+    int64_t idle = 0;  // cycles since the last group
+    bool held = false;
+    Group on_offer = {};
+  };
+  void Observe(int64_t cycle, Watch* watch, Result* result) {
+    if (top_->run_valid_o) result->starts.push_back({BitsOfRun(top_->run_o), cycle});
+    if (top_->count_valid_o) {
+      result->counts.push_back({top_->normalised_o, top_->skipped_o, cycle});
+    }
+    const bool valid = top_->pixel_valid_o;
+    const Group group = valid ? Read(cycle) : Group{};
+    if (watch->held && !(valid && Same(group, watch->on_offer))) {
+      result->failure = "a group on offer changed in cycle " + std::to_string(cycle);
+    }
+    watch->held = valid && !top_->pixel_ready_i;
+    watch->on_offer = group;
+    ++watch->idle;
+    if (valid && top_->pixel_ready_i) {
+      result->groups.push_back(group);
+      watch->left += group.last;
+      watch->idle = 0;
+    }
+    if (watch->idle > kDeadline) {
+      result->failure = "no group for too long, cycle " + std::to_string(cycle);
+    }
+  }
 
   template <typename Port>
   static void DriveLitRun(const SpanSeed& run, Port& port) {

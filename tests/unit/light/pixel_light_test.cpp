@@ -141,6 +141,68 @@ INSTANTIATE_TEST_SUITE_P(Both, PixelLightSearch,
                          testing::Values(Lighting::kBlinn, Lighting::kPhong),
                          testing::PrintToStringParamName());
 
+class PixelLightBlocks : public testing::TestWithParam<Lighting> {
+ protected:
+  // A block of `count` pixels, and every one of them by itself.
+  void ExpectSame(const PixelLight& light, const BlinnSpecular& power, int count) {
+    PixelLight::Report expected[PixelLightBlock::kSize];
+    int unlit = 0, no_highlight = 0;
+    for (int i = 0; i < count; ++i) {
+      LightCosines cosines = RandomCosines(random_);
+      if (random_() % 8 == 0) {
+        const int64_t edge = power.least_visible().raw() + static_cast<int64_t>(random_() % 5) - 2;
+        cosines.n_dot_h_or_v = Cosine::FromRaw(edge);
+      }
+      block_.SetCosines(static_cast<size_t>(i), cosines);
+      expected[i] = light.ShadeAndReport(cosines);
+      unlit += expected[i].unlit;
+      no_highlight += expected[i].no_highlight;
+    }
+    const auto counts = light.ShadeBlock(static_cast<size_t>(count), &block_);
+    ASSERT_EQ(counts.unlit, unlit);
+    ASSERT_EQ(counts.no_highlight, no_highlight);
+    for (int i = 0; i < count; ++i) {
+      const PixelCodes& codes = expected[i].codes;
+      ASSERT_EQ(block_.codes(static_cast<size_t>(i)), codes.r | codes.g << 8 | codes.b << 16)
+          << "pixel " << i << " of " << count;
+    }
+  }
+
+  // Every length of a block, for one shininess; the materials vary.
+  void ExpectSameLengths(Shininess shininess) {
+    PixelLight light(LightOf(RandomFrame(GetParam(), random_)));
+    const BlinnSpecular power(shininess);
+    for (int count = 1; count <= PixelLightBlock::kSize; ++count) {
+      Material material = RandomMaterial(random_, true);
+      material.shininess = shininess;
+      light.SetMaterial(material);
+      ExpectSame(light, power, count);
+    }
+  }
+
+  std::mt19937 random_{1};
+  PixelLightBlock block_;
+};
+
+TEST_P(PixelLightBlocks, EqualPixels) {
+  for (int pass = 0; pass < 3; ++pass) {
+    for (int n = 1; n <= 256; ++n) ExpectSameLengths(Shininess::FromRaw(n * kLeastShininess));
+    for (int n = 0; n < 128; ++n) ExpectSameLengths(RandomShininess(random_));
+  }
+}
+
+TEST_P(PixelLightBlocks, EqualPixelsForEveryShininess) {
+  ExpectSameLengths(Shininess::FromRaw(0));
+  ExpectSameLengths(Shininess::FromRaw(Shininess::kMaxRaw));
+  for (int n = 0; n < 256; ++n) {
+    ExpectSameLengths(Shininess::FromRaw(random_() % (Shininess::kMaxRaw + 1)));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, PixelLightBlocks,
+                         testing::Values(Lighting::kBlinn, Lighting::kPhong),
+                         testing::PrintToStringParamName());
+
 Rgb Grey(int64_t raw) {
   const Reflectance r = Reflectance::FromRaw(raw);
   return {r, r, r};

@@ -120,6 +120,24 @@ TEST(AdaptiveNormalizer, FullRateBehindLongRows) {
   EXPECT_EQ(CyclesOf<Dut4>(8), 8 * (125 + borders));
 }
 
+// Wherever it stops: in the set-up, the division, the queue, or with half a group gathered.
+TEST(AdaptiveNormalizer, ResetEmptiesIt) {
+  std::mt19937 random(1);
+  const FlowPattern always = FlowPattern::Always();
+  Dut4 rtl;
+  for (const AdaptiveKind kind : kKinds) {
+    for (int64_t stop = 1; stop < 150; ++stop) {
+      std::vector<Dut4::Span> spans;
+      for (int i = 0; i < 20; ++i) spans.push_back(RandomAdaptiveSpan<Dut4>(40, random));
+      rtl.Run(kind, spans, always, always, stop);
+      rtl.Reset();
+      spans.resize(2);
+      AdaptiveExpectation<Dut4> expectation(kind, always, always);
+      ASSERT_NO_FATAL_FAILURE(expectation.Expect(spans, rtl.Run(kind, spans, always, always)));
+    }
+  }
+}
+
 // The guarantee: within the tolerance of slerp, whatever the span.
 TEST(AdaptiveNormalizer, ModelWithinErrorBound) {
   std::mt19937 random(1);
