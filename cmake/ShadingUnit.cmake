@@ -20,27 +20,51 @@ set(SHADING_RTL_FOLDERS
   -y ${PROJECT_SOURCE_DIR}/rtl/normal
   -y ${PROJECT_SOURCE_DIR}/rtl/light)
 
-# verilate_unit(TARGET t TOP module SOURCE file VISIBLE file.vlt [PARAMETERS -GName=value...]): a
-# static library whose class is named after the target; VISIBLE says which names C++ sees. Every
-# configuration is verilated once and shared by programs and tests.
+# Verilator's run time, compiled once; verilate() would compile it for every configuration.
+add_library(verilated_runtime STATIC
+  ${VERILATOR_ROOT}/include/verilated.cpp
+  ${VERILATOR_ROOT}/include/verilated_threads.cpp
+  ${VERILATOR_ROOT}/include/verilated_fst_c.cpp)
+if(SHADESIM_COVERAGE)
+  target_sources(verilated_runtime PRIVATE ${VERILATOR_ROOT}/include/verilated_cov.cpp)
+endif()
+target_compile_definitions(verilated_runtime PRIVATE VM_COVERAGE=$<BOOL:${SHADESIM_COVERAGE}>
+  VM_SC=0 VM_TRACE=1 VM_TRACE_VCD=0 VM_TRACE_FST=1)
+target_include_directories(verilated_runtime SYSTEM PUBLIC ${VERILATOR_ROOT}/include
+  ${VERILATOR_ROOT}/include/vltstd)
+target_link_libraries(verilated_runtime PUBLIC ZLIB::ZLIB)
+
+# verilate_unit(TARGET t TOP module SOURCE file VISIBLE file.vlt [TRACE] [PARAMETERS -GName=value...]): a
+# static library whose class is named after the target; VISIBLE says which names C++ sees, TRACE that it
+# can write waveforms. Every configuration is verilated once and shared by programs and tests. The many
+# small files that Verilator writes are compiled in batches: reading its headers costs most.
 function(verilate_unit)
-  cmake_parse_arguments(V "" "TARGET;TOP;SOURCE;VISIBLE" "PARAMETERS" ${ARGN})
+  cmake_parse_arguments(V "TRACE" "TARGET;TOP;SOURCE;VISIBLE" "PARAMETERS" ${ARGN})
   add_library(${V_TARGET} STATIC)
-  set(coverage)
+  set(features)
+  set(batch 0)
   if(SHADESIM_COVERAGE)
-    set(coverage COVERAGE)
+    list(APPEND features COVERAGE)
   endif()
-  verilate(${V_TARGET} ${coverage} TRACE_FST
+  if(V_TRACE)
+    list(APPEND features TRACE_FST)
+    set(batch 8)
+  endif()
+  verilate(${V_TARGET} ${features}
     PREFIX ${V_TARGET}
     TOP_MODULE ${V_TOP}
     SOURCES ${PROJECT_SOURCE_DIR}/rtl/lint.vlt ${PROJECT_SOURCE_DIR}/rtl/${V_VISIBLE}
       ${SHADING_RTL_PACKAGES} ${V_SOURCE}
     VERILATOR_ARGS -Wall --assert -O3 --x-assign fast --x-initial fast --trace-structs
       ${SHADING_RTL_FOLDERS} ${V_PARAMETERS})
+  get_target_property(sources ${V_TARGET} SOURCES)
+  list(FILTER sources EXCLUDE REGEX "/include/verilated[a-z_]*[.]cpp$")
+  set_target_properties(${V_TARGET} PROPERTIES SOURCES "${sources}" UNITY_BUILD ON
+    UNITY_BUILD_BATCH_SIZE ${batch})
   # Generated and Verilator's own headers are not held to the project's warnings.
   get_target_property(headers ${V_TARGET} INCLUDE_DIRECTORIES)
   target_include_directories(${V_TARGET} SYSTEM INTERFACE ${headers})
-  target_link_libraries(${V_TARGET} PUBLIC ZLIB::ZLIB)
+  target_link_libraries(${V_TARGET} PUBLIC verilated_runtime)
 endfunction()
 
 function(require_unit_files)

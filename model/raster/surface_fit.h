@@ -30,8 +30,8 @@ using SurfaceNodes = Nodes<Intensity>;
 // intensity carries the half code for rounding; that of a term or a cosine does not.
 //
 // Error     0.38 codes on screens of 4096 x 4096 pixels, 0.10 on 2048 x 2048: coefficients
-//           (x^2 + xy + y^2 + x + y + 1) 2^-27, barycentrics 2295 (x + y + 1) 2^-34. Cosines: 2^-16.9
-//           and 2^-18.2, coefficients (..) 2^-45 and barycentrics 18 (x + y + 1) 2^-34.
+//           (x^2 + xy + y^2 + x + y + 1) 2^-27, barycentrics 2295 (x + y + 1) 2^-34. Cosines: 2^-16.6
+//           and 2^-17.7, coefficients (..) 2^-45 and barycentrics 18 (x + y + 1) 2^-34.
 class SurfaceFit {
  public:
   static constexpr UnitContract kContract = {
