@@ -10,7 +10,7 @@ namespace shading::accuracy {
 struct SpreadEffort {
   int restarts, starts, steps;  // each restart climbs from the best of its starts
 };
-inline constexpr SpreadEffort kFullSearch = {200, 20, 500};
+inline constexpr SpreadEffort kFullSearch = {600, 20, 500};
 inline constexpr SpreadEffort kQuickSearch = {24, 20, 300};
 
 struct SpreadWorst {

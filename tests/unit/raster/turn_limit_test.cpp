@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "tests/accuracy/spread_search.h"
 
@@ -77,6 +79,19 @@ INSTANTIATE_TEST_SUITE_P(All, TurnLimitOf,
                            for (char& c : name) c = c == '-' ? '_' : c;
                            return name;
                          });
+
+TEST(TurnLimit, HoldsAcrossTheTerminatorForMethodsThatClampPerPixel) {
+  for (const Method method : {Method::kQuadSplit, Method::kQuadCosine}) {
+    for (const SpreadLight& light : {SpreadLight{1, 0, 1, false}, {0.5, 0.5, 8, false},
+                                     {1, 0.5, 32, false}, {0.5, 0.5, 128, false}}) {
+      for (const double tolerance : kTolerances) {
+        const double angle = TurnLimitDegrees(method, MaterialOf(light), tolerance);
+        EXPECT_LE(SearchedError(method, light, angle, kEffort), tolerance)
+            << Name(method) << " n " << light.shininess << " T " << tolerance;
+      }
+    }
+  }
+}
 
 TEST(TurnLimit, EveryFormOfQuadHasItsLimit) {
   const Material material = MaterialOf({0.5, 0.5, 32, true});
