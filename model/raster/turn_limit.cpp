@@ -34,9 +34,7 @@ double TurnLimitDegrees(Method method, const Material& material, double toleranc
   const double n = material.shininess.ToReal();
   if (255 * (kd + ks) <= tolerance) return 180;
   const double highlight = std::max(0.043 * n, 0.0218 * std::pow(n, 1.5));
-  const auto quad = [&](double s) {
-    return (0.036 * kd + highlight * ks) * std::pow(s / 10, 3);
-  };
+  const auto quad = [&](double s) { return (0.036 * kd + highlight * ks) * std::pow(s / 10, 3); };
   const auto gouraud = [&](double s) { return 1.35 * (kd + ks * n) * std::pow(s / 10, 2); };
   const double one_code = 22.5 * std::pow(8 / std::max(n, 8.0), 0.21);
   const auto cosine = [&](double s) {
@@ -54,8 +52,7 @@ int64_t TurnLimit(Method method, const Material& material, Tolerance tolerance) 
   constexpr double kRadians = 3.14159265358979323846 / 180;
   const double angle = TurnLimitDegrees(method, material, tolerance.ToReal());
   const double chord = 2 * std::sin(angle * kRadians / 2);
-  return static_cast<int64_t>(
-      std::ceil(std::ldexp(chord * chord, 2 * NormalComponent::kFraction)));
+  return static_cast<int64_t>(std::ceil(std::ldexp(chord * chord, 2 * NormalComponent::kFraction)));
 }
 
 }  // namespace shading

@@ -22,7 +22,8 @@ std::string Data(const SpreadCells& cells, int shininess) {
 }
 
 std::string Panel(int shininess) {
-  const std::string title = shininess == 1 ? "diffuse light" : fmt::format("specular, n = {}", shininess);
+  const std::string title =
+      shininess == 1 ? "diffuse light" : fmt::format("specular, n = {}", shininess);
   std::string panel =
       fmt::format("set title '{}' offset 0,-0.6\nplot 1 with lines ls 9 notitle", title);
   for (size_t i = 0; i < kSpreadMethods.size(); ++i) {

@@ -70,8 +70,7 @@ ProductErrors Measure(Method method, const TriangleList& list) {
     for (int i = 0; i < span.length; ++i) {
       const Pixel& pixel = pixels[static_cast<size_t>(i)];
       const double phong = exact.At(pixel.x + 0.5, pixel.y + 0.5)[0];
-      const double form =
-          std::clamp(closed_form.At(pixel.x + 0.5, pixel.y + 0.5)[0], 0.0, 255.0);
+      const double form = std::clamp(closed_form.At(pixel.x + 0.5, pixel.y + 0.5)[0], 0.0, 255.0);
       Keep(form - phong, &errors.closed_form);
       Keep(pixel.r - phong, &errors.codes);
       Keep(pixel.r - form, &errors.unit);

@@ -14,8 +14,8 @@ struct ProductErrors {
 };
 
 // What the search works with, carried through the product: the triangle with its normals, light and
-// material quantised, by the closed forms of model/ideal and by FrontEnd and ShadingUnit. The point of
-// the case is the centre of a pixel; a point on an edge is moved a quarter of a pixel inwards.
+// material quantised, by the closed forms of model/ideal and by FrontEnd and ShadingUnit. The point
+// of the case is the centre of a pixel; a point on an edge is moved a quarter of a pixel inwards.
 ProductErrors ProductErrorsOf(Method method, const SpreadLight& light, const SpreadCase& at);
 
 }  // namespace shading::accuracy

@@ -26,6 +26,13 @@ Vector TurnedToCorners(Vector light, const std::array<Vector, 3>& normals) {
   return Normalised(light);
 }
 
+// The linear normal.
+Vector Over(const std::array<Vector, 3>& normals, const std::array<double, 3>& weight) {
+  Vector sum = {};
+  for (size_t i = 0; i < 3; ++i) sum = Sum(sum, Scaled(weight[i], normals[i]));
+  return Normalised(sum);
+}
+
 }  // namespace
 
 SpreadSearch::SpreadSearch(Method method, const SpreadLight& light, double degrees)
@@ -55,9 +62,10 @@ std::array<double, 3> SpreadSearch::RandomWeight() {
   return {std::min(u, v), std::max(u, v) - std::min(u, v), 1 - std::max(u, v)};
 }
 
-// Restarts take turns: an equilateral triangle, one with two normals alike or in line, or any; H over
-// a point of the triangle, off by up to the highlight's steepest slope, or up to three times as far;
-// L over the triangle, level with it, or anywhere; the point in the middle, on an edge, or anywhere.
+// Restarts take turns: an equilateral triangle, one with two normals alike or in line, or any; H
+// over a point of the triangle, off by up to the highlight's steepest slope, or up to three times
+// as far; L over the triangle, level with it at the point, or anywhere; the point in the middle, on
+// an edge, or anywhere.
 SpreadSearch::Point SpreadSearch::Start(int restart) {
   Point point;
   if (restart % 3 == 1) {
@@ -67,20 +75,6 @@ SpreadSearch::Point SpreadSearch::Start(int restart) {
     point.near = std::round(2 * Uniform()) / 2;
     point.apart = std::round(Uniform());
   }
-  SpreadCase at;
-  at.normal = NormalsOf(point);
-  const auto over = [&] {
-    const auto weight = RandomWeight();
-    return Normalised(Sum(Sum(Scaled(weight[0], at.normal[0]), Scaled(weight[1], at.normal[1])),
-                          Scaled(weight[2], at.normal[2])));
-  };
-  const double far = std::max(width_, spread_);
-  point.half = Aside(over(), restart % 2 == 0 ? width_ : 3 * far * Uniform());
-  const Vector normal = over();
-  const Vector any = Aside({}, 1);
-  const Vector level = Normalised(Sum(any, Scaled(-Dot(any, normal), normal)));
-  point.light = std::array<Vector, 3>{Aside(normal, spread_), Aside(level, spread_),
-                                      any}[static_cast<size_t>(restart / 3) % 3];
   point.weight = RandomWeight();
   if (restart % 5 == 1) point.weight = {1.0 / 3, 1.0 / 3, 1.0 / 3};
   if (restart % 5 == 2) {
@@ -88,6 +82,14 @@ SpreadSearch::Point SpreadSearch::Start(int restart) {
     point.weight = {w, 1 - w, 0};
     std::shuffle(point.weight.begin(), point.weight.end(), random_);
   }
+  const auto normals = NormalsOf(point);
+  const Vector above = Over(normals, RandomWeight()), here = Over(normals, point.weight);
+  const double far = std::max(width_, spread_);
+  point.half = Aside(above, restart % 2 == 0 ? width_ : 3 * far * Uniform());
+  const Vector any = Aside({}, 1);
+  const Vector level = Normalised(Sum(any, Scaled(-Dot(any, here), here)));
+  point.light = std::array<Vector, 3>{Aside(above, spread_), level,
+                                      any}[static_cast<size_t>(restart / 3) % 3];
   return point;
 }
 

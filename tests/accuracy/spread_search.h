@@ -11,7 +11,7 @@ struct SpreadEffort {
   int restarts, starts, steps;  // each restart climbs from the best of its starts
 };
 inline constexpr SpreadEffort kFullSearch = {600, 20, 500};
-inline constexpr SpreadEffort kQuickSearch = {24, 20, 300};
+inline constexpr SpreadEffort kQuickSearch = {80, 20, 400};
 
 struct SpreadWorst {
   double error = -1;  // codes, before they are rounded
@@ -19,8 +19,9 @@ struct SpreadWorst {
 };
 
 // The largest error of a method over triangles whose normals are at most `degrees` apart, and one
-// pair just so far: over the shape of the triangle, the directions of L and H and the point, by random
-// restarts, hill-climbing, and a last, longer climb from the best. The same seed finds the same.
+// pair just so far: over the shape of the triangle, the directions of L and H and the point, by
+// random restarts, hill-climbing, and a last, longer climb from the best. The same seed finds the
+// same.
 class SpreadSearch {
  public:
   SpreadSearch(Method method, const SpreadLight& light, double degrees);

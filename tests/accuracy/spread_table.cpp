@@ -65,8 +65,8 @@ std::vector<std::string> ErrorTable(const SpreadCells& cells, int shininess) {
 }
 
 std::vector<std::string> TerminatorTable(const SpreadCells& cells) {
-  std::vector<std::string> lines = {
-      "| s | gouraud | quad | expected | quad-split | quad-cosine |", Rule(0, 6)};
+  std::vector<std::string> lines = {"| s | gouraud | quad | expected | quad-split | quad-cosine |",
+                                    Rule(0, 6)};
   for (const double degrees : kTerminatorSpreads) {
     std::string line = fmt::format("| {:g} |", degrees);
     for (const Method method : kSpreadMethods) {

@@ -46,8 +46,8 @@ SpreadCells SearchCells(const SpreadEffort& effort);
 std::vector<std::string> ErrorTable(const SpreadCells& cells, int shininess);
 std::vector<std::string> TerminatorTable(const SpreadCells& cells);
 std::vector<std::string> LimitTable(const SpreadEffort& effort);
-// The angles of TurnLimitDegrees in parts of those that the search finds: the least and the most over
-// kd, ks in {0, 1/2, 1} and tolerances of 1/2, 1, 2, 4 codes.
+// The angles of TurnLimitDegrees in parts of those that the search finds: the least and the most
+// over kd, ks in {0, 1/2, 1} and tolerances of 1/2, 1, 2, 4 codes.
 std::vector<std::string> TurnLimitTable(const SpreadEffort& effort);
 std::vector<std::string> ProductTable(const SpreadCells& cells);
 std::vector<std::string> Summary(const SpreadCells& cells);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Prints the tables of docs/second_order.md, "Accuracy over normal spread". --plot FILE.svg draws the
-// errors with gnuplot.
+// Prints the tables of docs/second_order.md, "Accuracy over normal spread". --plot FILE.svg draws
+// the errors with gnuplot.
 #include <fmt/format.h>
 
 #include <cstdio>

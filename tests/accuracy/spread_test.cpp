@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What docs/second_order.md says of the surface methods against exact Blinn-Phong, by a smaller search.
+// What docs/second_order.md says of the surface methods against exact Blinn-Phong, by a smaller
+// search.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,8 +76,8 @@ TEST(Spread, LimitsAreAsExpected) {
 // Through the product, too: the closed forms reach the searched errors, the codes follow them.
 TEST(Spread, ErrorsAreAsExpectedAndThoseOfTheProduct) {
   for (const SpreadCell& cell : QuickCells().lit) {
-    SCOPED_TRACE(testing::Message() << Name(cell.method) << " n " << cell.light.shininess << " at "
-                                    << cell.degrees);
+    SCOPED_TRACE(testing::Message()
+                 << Name(cell.method) << " n " << cell.light.shininess << " at " << cell.degrees);
     const double expected = ExpectedError(cell.method, cell.light.shininess, cell.degrees);
     if (expected > 0) {
       EXPECT_NEAR(cell.worst.error, std::min(expected, 255.0), std::max(Slack(expected), 5e-4));
@@ -113,15 +114,15 @@ TEST(Spread, PageHasTheTables) {
   for (const int n : kSpreadShininess) tables.push_back(ErrorTable(QuickCells(), n));
   for (const auto& table : tables) {
     for (const std::string& line : table) {
-      EXPECT_TRUE(std::any_of(page.begin(), page.end(), [&](const std::string& there) {
-        return SameLine(line, there);
-      })) << "not on the page: " << line;
+      EXPECT_TRUE(std::any_of(page.begin(), page.end(),
+                              [&](const std::string& there) { return SameLine(line, there); }))
+          << "not on the page: " << line;
     }
   }
 }
 
-// The case of one edge, by hand: two normals psi apart, H over the first, the point in the middle of
-// the edge. The quadratic is exact there, the line is off by half the fall beyond the middle's.
+// The case of one edge, by hand: two normals psi apart, H over the first, the point in the middle
+// of the edge. The quadratic is exact there, the line is off by half the fall beyond the middle's.
 TEST(Spread, ErrorOfAnEdgeIsItsClosedForm) {
   const double psi = 0.2;
   SpreadCase at;
@@ -130,7 +131,8 @@ TEST(Spread, ErrorOfAnEdgeIsItsClosedForm) {
   at.weight = {0.5, 0.5, 0};
   const SpreadLight light = FullLight(32);
   const auto lit = [](double angle) { return 255 * std::pow(std::cos(angle), 32); };
-  EXPECT_NEAR(SpreadError(Method::kGouraud, light, at), lit(psi / 2) - (lit(0) + lit(psi)) / 2, 1e-9);
+  EXPECT_NEAR(SpreadError(Method::kGouraud, light, at), lit(psi / 2) - (lit(0) + lit(psi)) / 2,
+              1e-9);
   for (const Method method : {Method::kQuad, Method::kQuadSplit, Method::kQuadCosine}) {
     EXPECT_NEAR(SpreadError(method, light, at), 0, 1e-9) << Name(method);
   }
