@@ -8,11 +8,11 @@
 
 namespace shading {
 
-// How far two normals of a triangle may turn apart so that a surface method stays within `tolerance`
-// codes of exact Blinn-Phong of a linear normal, in degrees: a rule on the safe side of the largest
-// errors that a search found (docs/second_order.md). It holds where N.L >= 0 and N.H >= 0, and for
-// gouraud and quad, which clamp before they fit, where the light stays below full scale. For
-// kd = diffuse, ks = specular of the brightest channel and shininess n:
+// How far two normals of a triangle may turn apart so that a surface method stays within
+// `tolerance` codes of exact Blinn-Phong of a linear normal, in degrees: a rule on the safe side of
+// the largest errors that a search found (docs/second_order.md). It holds where N.L >= 0 and
+// N.H >= 0, and for gouraud and quad, which clamp before they fit, where the light stays below full
+// scale. For kd = diffuse, ks = specular of the brightest channel and shininess n:
 //
 //   quad, quad-split   10 (T / (0.036 kd + h ks))^(1/3),  h = max(0.043 n, 0.0218 n^1.5)
 //   gouraud            10 (T / (1.35 kd + 1.35 ks n))^(1/2)
