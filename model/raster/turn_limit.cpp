@@ -13,10 +13,13 @@ double Brightest(const Rgb& color) {
   return most;
 }
 
-// The largest angle of 0..180 degrees whose error, which rises with it, stays within `tolerance`.
+// Beyond it the errors rise faster than the rules.
+constexpr double kMostDegrees = 75;
+
+// The largest angle whose error, which rises with it, stays within `tolerance`.
 template <typename Error>
 double LargestAngle(const Error& error, double tolerance) {
-  double low = 0, high = 180;
+  double low = 0, high = kMostDegrees;
   for (int i = 0; i < 50; ++i) {
     const double middle = (low + high) / 2;
     (error(middle) <= tolerance ? low : high) = middle;
@@ -29,13 +32,13 @@ double LargestAngle(const Error& error, double tolerance) {
 double TurnLimitDegrees(Method method, const Material& material, double tolerance) {
   const double kd = Brightest(material.diffuse), ks = Brightest(material.specular);
   const double n = material.shininess.ToReal();
-  const auto quad = [&](double s) {
-    return (0.036 * kd + 0.021 * ks * std::pow(n, 1.5)) * std::pow(s / 10, 3);
-  };
+  if (255 * (kd + ks) <= tolerance) return 180;
+  const double highlight = std::max(0.043 * n, 0.0218 * std::pow(n, 1.5));
+  const auto quad = [&](double s) { return (0.036 * kd + highlight * ks) * std::pow(s / 10, 3); };
   const auto gouraud = [&](double s) { return 1.35 * (kd + ks * n) * std::pow(s / 10, 2); };
   const double one_code = 22.5 * std::pow(8 / std::max(n, 8.0), 0.21);
   const auto cosine = [&](double s) {
-    return 0.036 * kd * std::pow(s / 10, 3) + ks * std::pow(s / one_code, 3.2);
+    return 0.036 * kd * std::pow(s / 10, 3) + ks * std::pow(s / one_code, s < one_code ? 3.2 : 4.0);
   };
   if (method == Method::kGouraud) return LargestAngle(gouraud, tolerance);
   if (method == Method::kQuadCosine) {
@@ -49,8 +52,7 @@ int64_t TurnLimit(Method method, const Material& material, Tolerance tolerance) 
   constexpr double kRadians = 3.14159265358979323846 / 180;
   const double angle = TurnLimitDegrees(method, material, tolerance.ToReal());
   const double chord = 2 * std::sin(angle * kRadians / 2);
-  return static_cast<int64_t>(
-      std::ceil(std::ldexp(chord * chord, 2 * NormalComponent::kFraction)));
+  return static_cast<int64_t>(std::ceil(std::ldexp(chord * chord, 2 * NormalComponent::kFraction)));
 }
 
 }  // namespace shading
