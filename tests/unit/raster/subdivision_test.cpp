@@ -78,9 +78,14 @@ TEST(Subdivision, ModelWithinErrorBound) {
   for (int i = 0; i < 20000; ++i) {
     TrianglePacket packet = PacketOf({Point{0, 0}, {0, 4001}, {4096, 0}});
     for (Vector3& n : packet.n) n = Unit(gauss(random), gauss(random), gauss(random));
-    // Every edge is over the limit: the last of four pieces has the three middles.
+    // The first edge is just over the limit.
+    int64_t turn = 0;
+    for (size_t c = 0; c < 3; ++c) {
+      const int64_t difference = packet.n[0][c].raw() - packet.n[1][c].raw();
+      turn += difference * difference;
+    }
     std::vector<TrianglePacket> pieces;
-    Subdivision(LimitOf(0.001)).Split(packet, &pieces);
+    Subdivision(turn - 1).Split(packet, &pieces);
     std::map<std::pair<int64_t, int64_t>, Vector3> normals;
     for (const TrianglePacket& piece : pieces) {
       for (size_t k = 0; k < 3; ++k) normals[{piece.x[k].raw(), piece.y[k].raw()}] = piece.n[k];
