@@ -56,3 +56,13 @@ for (const [top, built, method] of tops) {
   if (recurrences.includes(top) && cells[3] !== 0) throw new Error(`${top} has a multiplier`);
   if (cells[1] === 0 && top !== 'lane_seed') throw new Error(`${top}: no registers found; the log has changed its form`);
 }
+
+// Longest path of a row form: from register to register in levels of 4-input tables, without carry chains,
+// so that adders count as logic.
+console.log('\n| unit | longest path, LUT4 levels |\n|---|--:|');
+for (const top of ['flat_color', 'gouraud_interpolator', ...rows, 'quad_cosine']) {
+  const log = await yosys(top, '', 'synth -flatten -lut 4; ltp -noff');
+  const path = log.match(/Longest topological path in \S+ \(length=(\d+)\)/);
+  if (!path) throw new Error(`${top}: no longest path found; the log has changed its form`);
+  console.log(`| ${top} | ${path[1]} |`);
+}
