@@ -91,6 +91,12 @@ TEST_P(ShadingUnitMethod, FourLanesMatchModel) {
 // Cycles from a span to its first pixel, the unit idle.
 int Latency(Method method) {
   const int light = PixelLight::kContract.latency_cycles + PixelQueue::kContract.latency_cycles;
+  if (IsAdaptive(method)) {
+    return AdaptiveNormalizer::kContract.latency_cycles - 1 + CosineLatency(method) + light +
+           (method == Method::kAdaptivePaper   ? AdaptiveNormalizer::kExtend
+            : method == Method::kAdaptiveChord ? AdaptiveNormalizer::kChordEnds
+                                               : 0);
+  }
   if (!InterpolatesNormals(method)) {
     return SpanSetup::Steps(method, 0) + 2 + (LightsPixels(method) ? light : 0);
   }
@@ -98,9 +104,19 @@ int Latency(Method method) {
 }
 
 // Each span is its own triangle, so that triangle hand-over is in the path.
+// The shortest spans that hide the set-up of the next.
+int HidingLength(Method method) {
+  switch (method) {
+    case Method::kAdaptive: return AdaptiveNormalizer::kSetup;
+    case Method::kAdaptivePaper: return AdaptiveNormalizer::kSetup + AdaptiveNormalizer::kExtend;
+    case Method::kAdaptiveChord: return 1 + AdaptiveNormalizer::kChordEnds + AdaptiveNormalizer::kChordTest;
+    default: return InterpolatesNormals(method) ? NormalSetup::kSteps : SpanSetup::Steps(method, 0);
+  }
+}
+
 TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansAsLongAsTheirSetup) {
   const Method method = GetParam();
-  const int length = InterpolatesNormals(method) ? NormalSetup::kSteps : SpanSetup::Steps(method, 0);
+  const int length = HidingLength(method);
   FrameWork work;
   work.method = method;
   work.materials.emplace_back();
