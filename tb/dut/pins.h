@@ -28,7 +28,7 @@ void DriveTriangle(const TriangleState& triangle, Port& port) {
   for (const Surface& s : triangle.specular) PutSurface(s, bits);
   for (const IntensityAcc value : triangle.ambient) bits.Put(value);
   for (const CosineSurface& s : triangle.cosine) PutSurface(s, bits);
-  bits.Put(triangle.limit);
+  bits.Put(triangle.limit.raw(), AngleLimit::kWidth);
   bits.Put(triangle.material, kMaterialWidth);
   bits.Put(triangle.dz_dx);
   bits.Put(triangle.origin_y, kCoordWidth);
