@@ -80,11 +80,14 @@ class AdaptiveNormalizer {
   // delta = 1 - cos(eta / 2), of an angle eta:
   //   diffuse    N.L       delta <= tol                1 - cos(eta) <= 4 tol - 2 tol^2
   //   specular   (N.H)^n   n (1 - cos eta) / 4 <= tol  for n >= 2; 1 < n < 2 errs less than 2
+  //              (R.V)^n   n (1 - cos eta) <= tol      R.V = 2 (N.L)(N.V) - L.V has |N|^2
   static AngleLimit DiffuseLimit(Tolerance tolerance);
-  static AngleLimit SpecularLimit(Tolerance tolerance, Shininess shininess);
+  static AngleLimit SpecularLimit(Tolerance tolerance, Shininess shininess,
+                                  Lighting lighting = Lighting::kBlinn);
   // The smaller one: both cosines of a pixel come from one normal. A material without specular
   // reflectance has only the first.
-  static AngleLimit LimitOf(Tolerance tolerance, Shininess shininess, bool specular);
+  static AngleLimit LimitOf(Tolerance tolerance, Shininess shininess, bool specular,
+                            Lighting lighting = Lighting::kBlinn);
 
   // S1.38 -> S1.24: rounds halves up, saturates.
   static PixelNormal Rounded(const std::array<Quantity, 3>& normal);

@@ -24,11 +24,11 @@ void Count(Verdict verdict, SkipCounts* skipped) {
 }
 
 // What adaptive_normalizer may leave unnormalised.
-AngleLimit LimitOf(const Material& material, Tolerance tolerance) {
+AngleLimit LimitOf(const Material& material, Tolerance tolerance, Lighting lighting) {
   const bool specular =
       std::any_of(material.specular.begin(), material.specular.end(),
                   [](const Reflectance reflectance) { return reflectance.raw() > 0; });
-  return AdaptiveNormalizer::LimitOf(tolerance, material.shininess, specular);
+  return AdaptiveNormalizer::LimitOf(tolerance, material.shininess, specular, lighting);
 }
 
 }  // namespace
@@ -99,8 +99,8 @@ void FrontEnd::AddWhole(const TrianglePacket& packet, uint32_t index, FrameWork*
   triangle.dz_dx = DepthAcc::Wrap(static_cast<int64_t>(depth.dx));
   triangle.material = packet.material;
   if (IsAdaptive(method_)) {
-    triangle.limit =
-        LimitOf(frame_.materials[static_cast<size_t>(packet.material)], options_.tolerance);
+    triangle.limit = LimitOf(frame_.materials[static_cast<size_t>(packet.material)],
+                             options_.tolerance, frame_.lighting);
   }
   if (InterpolatesNormals(method_)) {
     using Interpolation = SpanNormals::Interpolation;

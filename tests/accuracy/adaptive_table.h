@@ -29,6 +29,9 @@ AdaptiveWorst WorstAdaptive(Method method, double tolerance, int shininess);
 // Over lengths just above 2^k steps, at one angle.
 AdaptiveWorst WorstExtended(double degrees, int shininess);
 
+// (R.V)^n with L = V, of adaptive against slerp.
+double WorstReflected(double tolerance, int shininess);
+
 // The lines of the tables of docs/adaptive.md.
 std::vector<std::string> GuaranteeTable();
 std::vector<std::string> ExtensionTable();

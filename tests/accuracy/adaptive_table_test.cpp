@@ -37,6 +37,16 @@ TEST(AdaptiveTable, GuaranteeHolds) {
   ExpectOnThePage(GuaranteeTable());
 }
 
+TEST(AdaptiveTable, GuaranteeHoldsForReflectedLight) {
+  for (const double tolerance : kTolerances) {
+    for (const int n : {1, 8, 32, 128}) {
+      const double worst = WorstReflected(tolerance, n);
+      EXPECT_LE(worst, tolerance + kFixedPoint) << "n = " << n;
+      EXPECT_GE(worst, 0.9 * tolerance) << "n = " << n;
+    }
+  }
+}
+
 // The paper's extension to 2^k steps misses the end of the span, whatever the tolerance.
 TEST(AdaptiveTable, ExtensionHasNoGuarantee) {
   EXPECT_GT(WorstExtended(15, 1).lsb, 2);

@@ -102,8 +102,9 @@ int Latency(Method method) {
   if (IsAdaptive(method)) {
     return AdaptiveNormalizer::kContract.latency_cycles - 1 + CosineLatency(method) + light +
            (method == Method::kAdaptivePaper   ? AdaptiveNormalizer::kExtend
-            : method == Method::kAdaptiveChord ? AdaptiveNormalizer::kChordEnds
-                                               : 0);
+            : method == Method::kAdaptiveChord
+                ? AdaptiveNormalizer::kChordEnds + AdaptiveNormalizer::kChordTest
+                : 0);
   }
   if (!InterpolatesNormals(method)) {
     return SpanSetup::Steps(method, 0) + 2 + (LightsPixels(method) ? light : 0);
@@ -117,7 +118,8 @@ int HidingLength(Method method) {
   switch (method) {
     case Method::kAdaptive: return AdaptiveNormalizer::kSetup;
     case Method::kAdaptivePaper: return AdaptiveNormalizer::kSetup + AdaptiveNormalizer::kExtend;
-    case Method::kAdaptiveChord: return 1 + AdaptiveNormalizer::kChordEnds + AdaptiveNormalizer::kChordTest;
+    case Method::kAdaptiveChord:
+      return 1 + AdaptiveNormalizer::kChordEnds + AdaptiveNormalizer::kChordTest;
     default: return InterpolatesNormals(method) ? NormalSetup::kSteps : SpanSetup::Steps(method, 0);
   }
 }
