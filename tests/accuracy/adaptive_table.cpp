@@ -70,7 +70,8 @@ SpanCase SpanSeenFromAPixel(AngleLimit limit, std::mt19937& random) {
   const double part = std::acos(1 - std::ldexp(static_cast<double>(limit.raw()), -30));
   const double turn = std::min(2.0, std::ldexp(0.9999 * part, static_cast<int>(random() % 6)));
   const int steps = 2 << random() % 8;
-  const double seen = turn * (random() % static_cast<unsigned>(steps + 1)) / steps;
+  const int pixel = static_cast<int>(random() % static_cast<unsigned>(steps + 1));
+  const double seen = turn * pixel / steps;
   const Direction b = Combination(std::cos(turn), a, std::sin(turn), side);
   const Direction light = Combination(std::cos(seen), a, std::sin(seen), side);
   SpanCase span;
