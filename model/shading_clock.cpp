@@ -63,20 +63,20 @@ int64_t ShadingClock::OfferNormalSeed(int64_t offered, bool last) {
   return arc_setup_.Offer(normal_seed_taken_, seed_taken_);
 }
 
-// Groups on offer to the light from cycle `offered` on enter as the queue has room. Room for a later
-// group never comes so late that the groups on offer would break off, since the light takes fewer
-// cycles than the queue has places.
+// Groups on offer to the light from cycle `offered` on enter as the queue has room. Room for a
+// later group never comes so late that the groups on offer would break off, since the light takes
+// fewer cycles than the queue has places.
 ShadingClock::Lit ShadingClock::Light(int64_t offered, int64_t groups) {
   const int64_t first = queue_.groups();
   Lit lit;
   lit.first_entered = std::max(offered, queue_.RoomFor(first, sink_) + 1);
   lit.first_valid = std::max(lit.first_entered + LightLatency(method_), last_left_ + 1);
   lit.sink_rank = sink_.always() ? lit.first_valid : sink_.Rank(lit.first_valid);
-  lit.last_left = sink_.always() ? lit.first_valid + groups - 1
-                                 : sink_.Select(lit.sink_rank + groups - 1);
+  lit.last_left =
+      sink_.always() ? lit.first_valid + groups - 1 : sink_.Select(lit.sink_rank + groups - 1);
   queue_.Add({first, groups, lit.first_valid, lit.sink_rank});
-  lit.last_entered = std::max(lit.first_entered + groups - 1,
-                              queue_.RoomFor(first + groups - 1, sink_) + 1);
+  lit.last_entered =
+      std::max(lit.first_entered + groups - 1, queue_.RoomFor(first + groups - 1, sink_) + 1);
   return lit;
 }
 

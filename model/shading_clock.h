@@ -75,7 +75,7 @@ class ShadingClock {
   StageClock normal_setup_;
   StageClock arc_setup_;
   AdaptiveClock adaptive_;
-  std::vector<int64_t> left_;  // of the groups of the latest span, adaptive methods
+  std::vector<int64_t> left_;      // of the groups of the latest span, adaptive methods
   int64_t normal_seed_taken_ = 0;  // of normal_setup, by slerp_direct_setup or pixel_walker
   int64_t seed_taken_ = 0;         // by pixel_walker
   int64_t walker_free_ = 0;        // the last group of the span before leaves pixel_walker

@@ -53,30 +53,29 @@ enum class Method {
   kAdaptiveChord
 };
 inline constexpr int kMethodCount = 23;
-inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {
-    "flat",
-    "gouraud",
-    "quad",
-    "quad-polynomial",
-    "quad-horner",
-    "quad-step",
-    "quad-midpoint",
-    "quad-three-term",
-    "quad-third-difference",
-    "quad-segment",
-    "quad-difference",
-    "quad-split",
-    "quad-cosine",
-    "phong",
-    "phong-taylor",
-    "phong-duff",
-    "slerp",
-    "slerp-paper",
-    "slerp-intensity",
-    "slerp-direct",
-    "adaptive",
-    "adaptive-paper",
-    "adaptive-chord"};
+inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {"flat",
+                                                                            "gouraud",
+                                                                            "quad",
+                                                                            "quad-polynomial",
+                                                                            "quad-horner",
+                                                                            "quad-step",
+                                                                            "quad-midpoint",
+                                                                            "quad-three-term",
+                                                                            "quad-third-difference",
+                                                                            "quad-segment",
+                                                                            "quad-difference",
+                                                                            "quad-split",
+                                                                            "quad-cosine",
+                                                                            "phong",
+                                                                            "phong-taylor",
+                                                                            "phong-duff",
+                                                                            "slerp",
+                                                                            "slerp-paper",
+                                                                            "slerp-intensity",
+                                                                            "slerp-direct",
+                                                                            "adaptive",
+                                                                            "adaptive-paper",
+                                                                            "adaptive-chord"};
 inline constexpr std::string_view Name(Method method) {
   return kMethodNames[static_cast<size_t>(method)];
 }

@@ -202,9 +202,8 @@ SpanTiming ShadingUnit::Span(const SpanCommand& span, Pixel* pixels) {
     SpanSetup::Seed(work_.method, *triangle_, span, &seed_);
     ShadeIntensities(pixels);
   }
-  const SpanTiming timing = adaptive
-                                ? clock_.AdaptiveSpan(setup_cycles, segments_, span.last)
-                                : clock_.Span(span.length, span.y - row_, span.last);
+  const SpanTiming timing = adaptive ? clock_.AdaptiveSpan(setup_cycles, segments_, span.last)
+                                     : clock_.Span(span.length, span.y - row_, span.last);
   row_ = span.y;
   counters_.pixels += span.length;
   counters_.stall += timing.stall;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prints two tables of docs/adaptive.md, both counted by the RTL: cycles against phong, and pixels whose
-# normal is not normalised.
+# Prints two tables of docs/adaptive.md, both counted by the RTL: cycles against phong, and pixels
+# whose normal is not normalised.
 # Usage: scripts/adaptive_study.sh SHADESIM SCENE...
 set -euo pipefail
 (($# >= 2)) || { sed -n 's/^# Usage: /Usage: /p' "$0" >&2; exit 2; }
@@ -45,8 +45,8 @@ for scene; do
   for method in adaptive adaptive-paper adaptive-chord; do
     printf '| %s | %s' "${scene##*/models/}" "$method"
     for tolerance in 0.5 1 2.55 10.2; do
-      read -r _ _ pixels _ normalised skipped <<<"$(run "$scene" "$method" "$tolerance" none)"
-      printf ' | %s' "$(awk "BEGIN { printf \"%.1f %% (%d)\", 100 * $skipped / $pixels, $normalised }")"
+      read -r _ _ pixels _ done skipped <<<"$(run "$scene" "$method" "$tolerance" none)"
+      printf ' | %.1f %% (%d)' "$(awk "BEGIN { print 100 * $skipped / $pixels }")" "$done"
     done
     printf ' |\n'
   done

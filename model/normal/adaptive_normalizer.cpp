@@ -226,8 +226,7 @@ AngleLimit AdaptiveNormalizer::SpecularLimit(Tolerance tolerance, Shininess shin
     return AngleLimit::FromRaw((tolerance.raw() << 25) / (255 * shininess.raw()));
   }
   if (shininess.raw() == kOne) return DiffuseLimit(tolerance);
-  return AngleLimit::FromRaw((tolerance.raw() << 27) /
-                             (255 * std::max(2 * kOne, shininess.raw())));
+  return AngleLimit::FromRaw((tolerance.raw() << 27) / (255 * std::max(2 * kOne, shininess.raw())));
 }
 
 AngleLimit AdaptiveNormalizer::LimitOf(Tolerance tolerance, Shininess shininess, bool specular,

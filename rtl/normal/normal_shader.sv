@@ -39,7 +39,7 @@ module normal_shader
   input  kappa_t [1:0]                               step_kappa_i,  // of one and of two pixels
   input  arc_t                                       arc_i,
   input  curve_seed_t [Cosines-1:0]                  cosine_i,
-  input  pixel_normal_t [Lanes-1:0][Components-1:0]  group_i,       // adaptive methods, with valid_i
+  input  pixel_normal_t [Lanes-1:0][Components-1:0]  group_i,       // adaptive, with valid_i
 
   input  logic                 valid_i,
   output logic                 valid_o,

@@ -44,9 +44,9 @@ void WriteCsv(const std::string& path, const std::vector<CyclesRun>& runs) {
   for (const CyclesRun& run : runs) {
     ForEachSpan(run, [&](const SpanCommand& span, uint32_t packet, int64_t rtl, int64_t model,
                          const tb::SpanRecord& record) {
-      fmt::print(file.stream(), "{},{},{},{},{},{},{},{},{},{},{}\n", packet, span.y, span.x, span.length,
-                 Name(run.work.method), rtl, model, record.model.setup, record.model.stall,
-                 record.normalised, record.skipped);
+      fmt::print(file.stream(), "{},{},{},{},{},{},{},{},{},{},{}\n", packet, span.y, span.x,
+                 span.length, Name(run.work.method), rtl, model, record.model.setup,
+                 record.model.stall, record.normalised, record.skipped);
     });
   }
   file.Commit();

@@ -60,8 +60,8 @@ std::vector<std::string> ErrorTable(Method method) {
   return lines;
 }
 
-// A span of 2^k steps, whose parts have a pixel in the middle, lit and seen from the normal of one of
-// its pixels; its angle is just short of another level.
+// A span of 2^k steps, whose parts have a pixel in the middle, lit and seen from the normal of one
+// of its pixels; its angle is just short of another level.
 SpanCase SpanSeenFromAPixel(AngleLimit limit, std::mt19937& random) {
   std::normal_distribution<double> normal;
   const auto draw = [&] { return Unit({normal(random), normal(random), normal(random)}); };

@@ -9,8 +9,8 @@
 
 namespace shading::accuracy {
 
-// Errors of the adaptive methods, from the normals at the ends of a span to cosine and power, before
-// the code is rounded: docs/adaptive.md.
+// Errors of the adaptive methods, from the normals at the ends of a span to cosine and power,
+// before the code is rounded: docs/adaptive.md.
 inline constexpr std::array<double, 4> kTolerances = {0.5, 1, 2.55, 10.2};  // codes
 inline constexpr std::array<int, 4> kAdaptiveShininess = {1, 8, 32, 128};
 // Pixels of a span: 2^k, one more, and others.

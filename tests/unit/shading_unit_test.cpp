@@ -101,7 +101,7 @@ int Latency(Method method) {
   const int light = PixelLight::kContract.latency_cycles + PixelQueue::kContract.latency_cycles;
   if (IsAdaptive(method)) {
     return AdaptiveNormalizer::kContract.latency_cycles - 1 + CosineLatency(method) + light +
-           (method == Method::kAdaptivePaper   ? AdaptiveNormalizer::kExtend
+           (method == Method::kAdaptivePaper ? AdaptiveNormalizer::kExtend
             : method == Method::kAdaptiveChord
                 ? AdaptiveNormalizer::kChordEnds + AdaptiveNormalizer::kChordTest
                 : 0);

@@ -129,7 +129,8 @@ TEST(AdaptiveNormalizer, OneSegmentMovesNoNormalisation) {
   std::vector<Dut::Span> spans;
   for (int i = 0; i < kSpans; ++i) {
     const int length = RandomAdaptiveLength(500, random);
-    spans.push_back(SpanPins<Dut>(RandomTurnUpTo(40 * kDegree, random), length, kLargeLimit, random));
+    spans.push_back(
+        SpanPins<Dut>(RandomTurnUpTo(40 * kDegree, random), length, kLargeLimit, random));
   }
   const auto run = [&](AdaptiveKind kind) {
     Dut rtl;
