@@ -7,8 +7,8 @@
 
 namespace shading {
 
-// Bit-exact model of rtl/intensity/quad_split.sv: one channel of one span, diffuse and specular light
-// as two surfaces of paper 003, each clamped at 0, and added.
+// Bit-exact model of rtl/intensity/quad_split.sv: one channel of one span, diffuse and specular
+// light as two surfaces of paper 003, each clamped at 0, and added.
 //
 //   I(x) = ambient + max(0, D(x)) + max(0, S(x)),  D and S by two-register differences
 //
@@ -29,9 +29,8 @@ class QuadSplit {
       : diffuse_(diffuse), specular_(split.specular), ambient_(split.ambient.raw()) {}
 
   uint8_t code() const { return ClampCode(whole()); }
-  int64_t whole() const {  // before the clamp
-    return (ambient_ + diffuse_.Lit() + specular_.Lit()) >> IntensityAcc::kFraction;
-  }
+  int64_t whole() const { return sum() >> IntensityAcc::kFraction; }           // before the clamp
+  int64_t sum() const { return ambient_ + diffuse_.Lit() + specular_.Lit(); }  // 2^26 I
   void Step() {
     diffuse_.Step();
     specular_.Step();

@@ -7,9 +7,9 @@
 //   I(x) = ambient + max(0, D(x)) + max(0, S(x))
 //
 // Timing    Latency 1 cycle from load to first pixel, then 1 pixel per step_i.
-// Formats   seeds S9.26, ambient S9.26 in 0..255.5 codes with the half code for rounding; the sum
-//           S10.26; code U8.0 (truncate, clamp). Surfaces wrap on values that are not shown; shown
-//           ones lie in -426..426.
+// Formats   seeds S9.26; ambient S9.26, never negative: 0..255.5 codes with the half code for
+//           rounding; the sum U11.26, below 3 * 512; code U8.0 (truncate, clamp). Surfaces wrap on
+//           values that are not shown; shown ones lie in -426..426.
 // Error     The recurrences are exact; seeds rounded to 2^-27 codes move pixel t by at most
 //           2 (1 + t + t (t - 1) / 2) 2^-27 codes: < 1/32 code for 2048 pixels. RTL = model on every
 //           pixel.
@@ -31,12 +31,12 @@ module quad_split
   intensity_acc_t specular_q, specular_step_q, specular_curvature_q;
   intensity_acc_t ambient_q;
 
-  typedef logic signed [$bits(intensity_acc_t):0] sum_t;  // S10.26
+  typedef logic [$bits(intensity_acc_t):0] sum_t;  // U11.26
   sum_t diffuse, specular, sum;
   assign diffuse  = diffuse_q < 0 ? '0 : sum_t'(diffuse_q);
   assign specular = specular_q < 0 ? '0 : sum_t'(specular_q);
   assign sum      = sum_t'(ambient_q) + diffuse + specular;
-  assign code_o   = sum[$bits(sum_t)-2:34] != '0 ? '1 : sum[33:26];
+  assign code_o   = sum[$bits(sum_t)-1:34] != '0 ? '1 : sum[33:26];
 
   always_ff @(posedge clk_i) begin
     if (load_i) begin
