@@ -10,7 +10,7 @@
 namespace shading {
 
 // The steps of a power 2^-(n y), y = -log2 x, on raw numbers: BlinnSpecular takes them for one
-// pixel, LightBlock for many. 32 bits, no branch and no builtin, so that a loop over pixels runs in
+// pixel, PixelLightBlock for many. 32 bits, no branch and no builtin, so that a loop over pixels runs in
 // vector registers; what is looked up is an argument, for vector registers look up badly.
 class SpecularMath {
  public:

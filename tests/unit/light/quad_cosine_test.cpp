@@ -123,7 +123,7 @@ TEST(QuadCosine, ModelWithinErrorBound) {
 
 TEST(QuadCosine, OvershootSaturatesAndComesBack) {
   tb::QuadCosineDut rtl;
-  // 1.875, 2 - 2^-44 is the most that the register holds; rounding up saturates.
+  // 2 - 2^-44 is the most that the register holds; rounding up saturates.
   const CurveSeed seed = {CosineAcc::FromRaw(2 * kOne - 1), {}, CosineAcc::FromRaw(-kOne / 2), {}};
   QuadCosine model(seed);
   rtl.Cycle(true, false, seed);
