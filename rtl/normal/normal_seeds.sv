@@ -2,7 +2,7 @@
 //
 // Seeds of the methods that interpolate normals or cosines.
 //
-//   triangle, span -> span_binder -> normal_setup (-> slerp_direct_setup, slerp-direct only) -> seed
+//   triangle, span -> span_binder -> normal_setup (-> slerp_direct_setup for slerp-direct) -> seed
 //
 // Timing    A span every 8 cycles; latency that of the units on the way.
 // Streams   ready/valid; a payload holds until taken.

@@ -51,7 +51,8 @@ package shading_pkg;
   // Methods that light every pixel, by lit_pixels; the others interpolate intensities.
   localparam methods_t LitMethods = 20'hff000;
   // Surfaces of second order whose spans start from differences of rows.
-  localparam methods_t PointMethods = method_bit(MethodQuadPolynomial) | method_bit(MethodQuadHorner);
+  localparam methods_t PointMethods =
+    method_bit(MethodQuadPolynomial) | method_bit(MethodQuadHorner);
   localparam methods_t RowMethods = SurfaceMethods & ~PointMethods & ~method_bit(MethodFlat) &
                                     ~method_bit(MethodGouraud);
 
@@ -107,7 +108,7 @@ package shading_pkg;
     cosine_surface_t [Cosines-1:0]  cosine;  // quad-cosine
     intensity_acc_t  [Channels-1:0] ambient; // quad-split: with the half code
     surface_t        [Channels-1:0] specular; // quad-split
-    surface_t        [Channels-1:0] surface; // intensity; quad-split: diffuse, without the half code
+    surface_t        [Channels-1:0] surface; // intensity; quad-split: diffuse, no half code
   } triangle_t;
 
   typedef struct packed {

@@ -101,8 +101,8 @@ TEST_P(SpanSetupFlow, RtlMatchesModel) {
 }
 
 // One of each kind of start; the other forms of the surface have that of quad.
-constexpr auto kKinds = {Method::kFlat, Method::kGouraud, Method::kQuad, Method::kQuadHorner,
-                         Method::kQuadSplit, Method::kQuadCosine};
+constexpr auto kKinds = {Method::kFlat,       Method::kGouraud,   Method::kQuad,
+                         Method::kQuadHorner, Method::kQuadSplit, Method::kQuadCosine};
 
 INSTANTIATE_TEST_SUITE_P(AllFlows, SpanSetupFlow,
                          testing::Combine(testing::ValuesIn(kKinds), testing::ValuesIn(kFlows),
@@ -152,7 +152,8 @@ TEST(SpanSetup, ContractMatchesRtl) {
 
 // One row a cycle: the only wait that grows with the triangle.
 TEST(SpanSetup, RowsWithoutSpansAreSteppedOver) {
-  for (const auto& [method, cycles] : {std::pair{Method::kQuad, 4095 + 1}, {Method::kGouraud, 4095}}) {
+  for (const auto& [method, cycles] :
+       {std::pair{Method::kQuad, 4095 + 1}, {Method::kGouraud, 4095}}) {
     Dut::Work work = RowByRow(method, 2);
     work.triangles[0].origin_y = work.spans[0].y = 0;
     work.spans[1].y = 4095;

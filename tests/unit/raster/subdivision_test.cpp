@@ -108,7 +108,8 @@ TEST(Subdivision, ModelWithinErrorBound) {
   EXPECT_GT(worst, 0.49) << "the search is blind";
 }
 
-// Two triangles that share an edge cut it at the same points: every vertex on it is a vertex of both.
+// Two triangles that share an edge cut it at the same points: every vertex on it is a vertex of
+// both.
 TEST(Subdivision, NeighboursShareTheirVertices) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> lean(-1, 1);
@@ -124,7 +125,8 @@ TEST(Subdivision, NeighboursShareTheirVertices) {
       subdivision.Split(side == 0 ? left : right, &pieces);
       for (const TrianglePacket& piece : pieces) {
         for (size_t k = 0; k < 3; ++k) {
-          if (piece.x[k].raw() + piece.y[k].raw() == 4096) on_edge[side][piece.x[k].raw()] = piece.n[k];
+          if (piece.x[k].raw() + piece.y[k].raw() == 4096)
+            on_edge[side][piece.x[k].raw()] = piece.n[k];
         }
       }
     }
