@@ -39,12 +39,12 @@ const recurrences = [...rows.filter((name) => !['quad_polynomial', 'quad_horner'
 const units = ['flat_color', 'gouraud_interpolator', ...rows, 'quad_cosine', 'lane_seed', 'pixel_walker',
   'span_setup', 'span_binder', 'normal_setup', 'linear_recurrence', 'slerp_recurrence', 'slerp_paper',
   'length_recurrence', 'slerp_direct_setup', 'slerp_direct', 'reciprocal_sqrt', 'phong_direct',
-  'taylor_normalizer', 'duff_normalizer', 'dot_product', 'pixel_light', 'pixel_queue'];
+  'taylor_normalizer', 'duff_normalizer', 'adaptive_normalizer', 'dot_product', 'pixel_light', 'pixel_queue'];
 // One build per method: bit k of Methods is method k of method_e.
 const methods = ['flat', 'gouraud', 'quad', 'quad-polynomial', 'quad-horner', 'quad-step',
   'quad-midpoint', 'quad-three-term', 'quad-third-difference', 'quad-segment', 'quad-difference',
   'quad-split', 'quad-cosine', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
-  'slerp-paper', 'slerp-intensity', 'slerp-direct'];
+  'slerp-paper', 'slerp-intensity', 'slerp-direct', 'adaptive', 'adaptive-paper', 'adaptive-chord'];
 const tops = [...units.map((name) => [name]),
   ...methods.map((name, k) => ['shading_unit', `${methods.length}'d${2 ** k}`, name])];
 console.log('| unit | method | LUT4 | flip-flops | carry cells | 18x18 multipliers |');
