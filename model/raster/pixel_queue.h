@@ -23,8 +23,8 @@ class PixelQueue {
                                              "light of less than 64 cycles"};
   static constexpr int64_t kDepth = 64;  // groups
 
-  // The groups of a span, or of a segment of an adaptive one: group i leaves in cycle first_valid + i, or in the sink's willing cycle
-  // number sink_rank + i.
+  // The groups of a span, or of a segment of an adaptive one: group i leaves in cycle first_valid +
+  // i, or in the sink's willing cycle number sink_rank + i.
   struct Run {
     int64_t first_group, groups;
     int64_t first_valid, sink_rank;
