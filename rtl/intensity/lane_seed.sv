@@ -23,24 +23,28 @@ module lane_seed
 );
   localparam int unsigned Latency = 0;
 
-  localparam value_t First = value_t'(Lane);
-  localparam value_t FirstPairs = value_t'(32'(Lane * (Lane - 1) / 2));
-  localparam value_t Second = value_t'(32'(Lane + Lanes));
-  localparam value_t SecondPairs =
-    value_t'(32'((Lane + Lanes) * (Lane + Lanes - 1) / 2));
-  localparam value_t Stride = value_t'(Lanes);
-  localparam value_t StridePairs =
-    value_t'(32'(Lanes * Lane + Lanes * (Lanes - 1) / 2));
-  localparam value_t StrideSquare = value_t'(32'(Lanes * Lanes));
+  localparam int unsigned FirstPairs = Lane * (Lane - 1) / 2;
+  localparam int unsigned Second = Lane + Lanes;
+  localparam int unsigned SecondPairs = Second * (Second - 1) / 2;
+  localparam int unsigned StridePairs = Lanes * Lane + Lanes * (Lanes - 1) / 2;
+
+  // A product by a constant below 64 as additions, so that synthesis finds no multiplier.
+  function automatic value_t times(int unsigned factor, value_t value);
+    times = '0;
+    for (int unsigned k = 0; k < 6; k++) begin
+      if (factor[k]) times += value <<< k;
+    end
+  endfunction
 
   if (Lanes == 1) begin : gen_one
     assign seed_o = seed_i;
   end else begin : gen_many
-    assign seed_o.first      = seed_i.first + First * seed_i.difference +
-                               FirstPairs * seed_i.curvature;
-    assign seed_o.second     = seed_i.first + Second * seed_i.difference +
-                               SecondPairs * seed_i.curvature;
-    assign seed_o.difference = Stride * seed_i.difference + StridePairs * seed_i.curvature;
-    assign seed_o.curvature  = StrideSquare * seed_i.curvature;
+    assign seed_o.first      = seed_i.first + times(Lane, seed_i.difference) +
+                               times(FirstPairs, seed_i.curvature);
+    assign seed_o.second     = seed_i.first + times(Second, seed_i.difference) +
+                               times(SecondPairs, seed_i.curvature);
+    assign seed_o.difference = times(Lanes, seed_i.difference) +
+                               times(StridePairs, seed_i.curvature);
+    assign seed_o.curvature  = times(Lanes * Lanes, seed_i.curvature);
   end
 endmodule
