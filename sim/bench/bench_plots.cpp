@@ -90,7 +90,7 @@ bool SameCurve(const SpanCurve& a, const SpanCurve& b) {
 
 std::string ParetoPlot(const Results& results, const Face& face, const std::string& scene,
                        int shininess) {
-  constexpr int kWidth = 296, kHeight = 268;
+  constexpr int kWidth = 292, kHeight = 268;
   report::Plot plot(fmt::format("n = {}", shininess), {face.label, true}, {"RMS error, LSB", true},
                     kWidth, kHeight);
   const Contest contest = Compare(results, face, scene, shininess, ErrorKind::kRms);

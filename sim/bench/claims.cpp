@@ -16,17 +16,20 @@ using report::Significant;
 using report::Verdict;
 
 double Software(const Cell& cell) { return cell.SoftwareNanoseconds(); }
+double Model(const Cell& cell) { return cell.model_seconds; }
 double Processor(const Cell& cell) { return cell.PaperCyclesPerPixel(); }
 double Rtl(const Cell& cell) { return cell.CyclesPerPixel(); }
 double RmsError(const Cell& cell) { return cell.phong.rms_lsb; }
 
-// "3.1 times" for each way to take the time; empty when the run has not both methods.
+// How many times as fast, by each way to take the time; empty when the run has not both methods.
 std::string Times(const Results& r, Method slow, Method fast) {
-  const auto software = MeanRatio(r, slow, fast, Software);
-  if (!software) return "";
-  return fmt::format("{} times as fast in software, {} in the papers' cycles, {} in RTL cycles",
-                     Significant(*software), Significant(*MeanRatio(r, slow, fast, Processor)),
-                     Significant(*MeanRatio(r, slow, fast, Rtl)));
+  const auto model = MeanRatio(r, slow, fast, Model);
+  if (!model) return "";
+  return fmt::format(
+      "{} times as fast in the model, {} with the front end; {} in the papers' cycles, {} in RTL cycles",
+      Significant(*model), Significant(*MeanRatio(r, slow, fast, Software)),
+      Significant(*MeanRatio(r, slow, fast, Processor)),
+      Significant(*MeanRatio(r, slow, fast, Rtl)));
 }
 
 std::string Parts(const Operations& o) {
@@ -58,14 +61,14 @@ Claim TwiceAsFast(const Results& r) {
   return Measured({"000, end", "more than 2 times faster than classic Phong", "", Verdict::kFails,
                    "docs/results.md"},
                   Times(r, Method::kPhong, Method::kSlerpPaper),
-                  AtLeast(MeanRatio(r, Method::kPhong, Method::kSlerpPaper, Software), 2));
+                  AtLeast(MeanRatio(r, Method::kPhong, Method::kSlerpPaper, Model), 2));
 }
 
 Claim DirectSines(const Results& r) {
   return Measured({"000 (7)", "the recurrence replaces the sines of every pixel, much faster", "",
                    Verdict::kHolds, "docs/units/normal/slerp_direct.md"},
                   Times(r, Method::kSlerpDirect, Method::kSlerpPaper),
-                  AtLeast(MeanRatio(r, Method::kSlerpDirect, Method::kSlerpPaper, Software), 1.2));
+                  AtLeast(MeanRatio(r, Method::kSlerpDirect, Method::kSlerpPaper, Model), 1.2));
 }
 
 Claim ScalarRecurrence(const Results& r) {
@@ -73,7 +76,7 @@ Claim ScalarRecurrence(const Results& r) {
       {"000 (14)", "N.L and N.H by one product, subtraction and shift each simplify the light", "",
        Verdict::kHolds, "docs/units/normal/slerp_recurrence.md"},
       Times(r, Method::kSlerpPaper, Method::kSlerpIntensity),
-      AtLeast(MeanRatio(r, Method::kSlerpPaper, Method::kSlerpIntensity, Software), 1));
+      AtLeast(MeanRatio(r, Method::kSlerpPaper, Method::kSlerpIntensity, Model), 1));
 }
 
 Claim FourAtOnce(const Results& r) {

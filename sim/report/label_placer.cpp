@@ -6,7 +6,7 @@
 
 namespace shading::report {
 namespace {
-constexpr double kCharacter = 5.9;  // mean width at 11 pixels
+constexpr double kCharacter = 6.4;  // mean width at 11 pixels
 constexpr double kNear = 16;        // pixels; farther labels get a line
 }  // namespace
 

@@ -31,7 +31,7 @@ figure { margin:16px 0; } .row { display:flex; flex-wrap:wrap; gap:4px 12px; }
 .row > div { flex:none; }
 figcaption { color:var(--soft); font-size:13px; max-width:110ch; }
 figcaption code { display:block; color:var(--soft); font-size:12px; overflow-wrap:anywhere; }
-.scroll { overflow:auto; max-height:640px; margin:8px 0; }
+.scroll { overflow-x:auto; margin:8px 0; } .long { overflow:auto; max-height:640px; }
 table { border-collapse:collapse; font-size:13px; font-variant-numeric:tabular-nums; }
 th, td { padding:3px 10px; border-bottom:1px solid var(--rule); text-align:left; vertical-align:top; }
 th { position:sticky; top:0; background:var(--tint); } .n { text-align:right; }
@@ -39,8 +39,8 @@ th button { all:unset; cursor:pointer; font-weight:600; } th button:focus-visibl
 th button::after { content:" \2195"; color:var(--muted); }
 th[aria-sort=ascending] button::after { content:" \2191"; color:var(--text); }
 th[aria-sort=descending] button::after { content:" \2193"; color:var(--text); }
-.gallery { display:flex; flex-wrap:wrap; gap:16px; } .gallery figure { margin:0; width:256px; }
-.gallery img { width:126px; image-rendering:pixelated; background:#000; vertical-align:top; margin-right:2px; }
+.gallery { display:flex; flex-wrap:wrap; gap:16px; } .gallery figure { margin:0; width:292px; }
+.gallery img { width:144px; image-rendering:pixelated; background:#000; vertical-align:top; margin-right:2px; }
 svg { display:block; max-width:100%; height:auto; } svg text { fill:var(--text); font:11px system-ui, "Liberation Sans", sans-serif; }
 svg .soft { fill:var(--soft); } svg .title { font-size:13px; font-weight:600; }
 svg .grid { stroke:var(--rule); stroke-width:1; } svg .frame { stroke:var(--soft); fill:none; }

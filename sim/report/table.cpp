@@ -12,6 +12,8 @@
 namespace shading::report {
 namespace {
 
+constexpr size_t kLong = 60;  // rows; longer tables scroll in a window of their own
+
 std::string EscapeMarkdown(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -46,7 +48,8 @@ bool Table::Numeric(size_t column) const {
 }
 
 std::string Table::Html() const {
-  std::string html = "<div class=\"scroll\"><table><thead><tr>";
+  std::string html = fmt::format("<div class=\"scroll{}\"><table><thead><tr>",
+                                 rows_.size() > kLong ? " long" : "");
   for (size_t c = 0; c < headings_.size(); ++c) {
     html += fmt::format("<th scope=\"col\"{}><button type=\"button\">{}</button></th>",
                         Numeric(c) ? " class=\"n\"" : "", EscapeHtml(headings_[c]));
