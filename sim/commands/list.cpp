@@ -39,12 +39,12 @@ void PrintTables() {
     fmt::print("  {:22} {}\n", Name(method), kMethodText[static_cast<size_t>(method)]);
   }
   fmt::print(
-      "\nUnits: latency and initiation interval in cycles (0: not in hardware yet), "
+      "\nUnits: latency and initiation interval in cycles (0 and 0: front end, C++ only), "
       "error bound and where it holds\n");
   for (const UnitContract& unit : kContracts) {
-    fmt::print("  {:20} {:9} latency {} interval {} in: {}; out: {}\n", unit.name, unit.group,
+    fmt::print("  {:22} {:9} latency {} interval {} in: {}; out: {}\n", unit.name, unit.group,
                unit.latency_cycles, unit.interval_cycles, unit.input, unit.output);
-    fmt::print("  {:20} {:9} error <= {:.3g} ulp, {}\n", "", "", unit.max_error_ulp,
+    fmt::print("  {:22} {:9} error <= {:.8g} ulp, {}\n", "", "", unit.max_error_ulp,
                unit.valid_for);
   }
   fmt::print("\nBuilt-in scenes: builtin:NAME or builtin:NAME:N\n");
