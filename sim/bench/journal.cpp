@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "sim/io/atomic_file.h"
@@ -10,6 +11,8 @@
 namespace shading::sim {
 
 void Journal::Read(const std::string& fingerprint) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path_, ignored)) return;  // a device may have no end
   std::ifstream file(path_);
   std::string line;
   if (!std::getline(file, line)) return;

@@ -55,10 +55,12 @@ void Plot::DrawAxes(Drawing* d) const {
   };
   for (const double tick : d->x.Ticks(many(f.right - f.left, 42))) {
     const double at = d->x(tick);
+    const std::string text = Significant(tick);
     d->svg += fmt::format(
-        "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text class=\"soft\" x=\"{0:.1f}\" y=\"{3}\" "
-        "text-anchor=\"middle\">{4}</text>\n",
-        at, f.top, f.bottom, f.bottom + 14, Significant(tick));
+        "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text class=\"soft\" x=\"{3:.1f}\" y=\"{4}\" "
+        "text-anchor=\"middle\">{5}</text>\n",
+        at, f.top, f.bottom, std::min(at, width_ - LabelPlacer::WidthOf(text) / 2), f.bottom + 14,
+        text);
   }
   for (const double tick : d->y.Ticks(many(f.bottom - f.top, 24))) {
     const double at = d->y(tick);
