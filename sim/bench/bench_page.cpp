@@ -25,7 +25,8 @@ void AddFronts(const Results& r, Page* page) {
       "the RMS of the displayed codes against exact Blinn-Phong of the linear normal, 1 LSB = "
       "1/255, "
       "rounding of the code included: 0.29 LSB is a perfect picture. Errors "
-      "are compared in steps of 0.01 LSB. Times of software vary "
+      "are compared in steps of 0.01 LSB, costs in steps of 1 %, and equals share a place. Times "
+      "of software vary "
       "between "
       "runs by some per cent, and so do methods that are close there.");
   page->Markup(FrontTable(r, ErrorKind::kRms).Html());

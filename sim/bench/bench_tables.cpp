@@ -69,7 +69,8 @@ Table SpanTable(const Results& results) {
   std::vector<std::string> headings = {"method", "latency, cycles"};
   for (const int lanes : {1, 4}) {
     for (const int length : kLengths) {
-      headings.push_back(fmt::format("{} pixel{}, {} lane{}", length, length > 1 ? "s" : "", lanes, lanes > 1 ? "s" : ""));
+      headings.push_back(fmt::format("{} pixel{}, {} lane{}", length, length > 1 ? "s" : "", lanes,
+                                     lanes > 1 ? "s" : ""));
     }
   }
   Table table(headings);

@@ -26,7 +26,8 @@ std::string Times(const Results& r, Method slow, Method fast) {
   const auto model = MeanRatio(r, slow, fast, Model);
   if (!model) return "";
   return fmt::format(
-      "{} times as fast in the model, {} with the front end; {} in the papers' cycles, {} in RTL cycles",
+      "{} times as fast in the model, {} with the front end; {} in the papers' cycles, {} in RTL "
+      "cycles",
       Significant(*model), Significant(*MeanRatio(r, slow, fast, Software)),
       Significant(*MeanRatio(r, slow, fast, Processor)),
       Significant(*MeanRatio(r, slow, fast, Rtl)));

@@ -8,7 +8,13 @@
 namespace shading::sim {
 namespace {
 constexpr double kErrorStep = 0.01;  // LSB; smaller differences are those of single roundings
+constexpr double kCostRatio =
+    1.01;  // smaller ones: a few cycles of latency a frame, noise of times
+
+double CostStep(double cost) {
+  return cost > 0 ? std::round(std::log(cost) / std::log(kCostRatio)) : cost;
 }
+}  // namespace
 
 const std::vector<Face> kFaces = {
     {"RTL, 1 lane", "RTL cycles per pixel", "Clock cycles of the RTL with one lane.",
@@ -55,7 +61,7 @@ Contest Compare(const Results& results, const Face& face, const std::string& sce
     const std::optional<double> cost = face.Cost(cell, results);
     if (!cost) continue;
     const double error = ErrorOf(cell, kind);
-    points.push_back({*cost, std::round(error / kErrorStep)});
+    points.push_back({CostStep(*cost), std::round(error / kErrorStep)});
     contest.entrants.push_back({&cell, *cost, error});
   }
   for (const size_t i : ParetoFront(points)) contest.entrants[i].front = true;

@@ -29,7 +29,7 @@ enum class ErrorKind { kRms, kMax };
 double ErrorOf(const Cell& cell, ErrorKind kind);
 
 // The cells that compete on a face, and which of them are on the front. Errors that agree when they
-// are rounded to 0.01 LSB count as equal.
+// are rounded to 0.01 LSB count as equal, and costs when they are rounded to steps of 1 %.
 struct Contest {
   struct Entrant {
     const Cell* cell;

@@ -117,7 +117,8 @@ Cell MeasureCell(const TriangleList& list, const CellKey& key, int repeats, Fram
   cell.work.spans = static_cast<int64_t>(work.spans.size());
   cell.work.pixels = work.pixels;
   if (work.pixels == 0) {
-    throw std::runtime_error(fmt::format("{}: covers no pixel; take a larger --size", key.scene));
+    throw std::runtime_error(
+        fmt::format("{}: covers no pixel; show it larger or leave it out", key.scene));
   }
   RunRtl(work, picture, &cell);
 
