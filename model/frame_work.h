@@ -22,7 +22,7 @@ struct SkipCounts {
 // One frame as it enters the shading unit: triangles in order, each followed by its spans.
 struct FrameWork {
   Method method = Method::kFlat;
-  Tolerance tolerance;              // quad-segment
+  Tolerance tolerance;              // quad-segment; adaptive methods: see limit of TriangleState
   LightState light;                 // methods that light every pixel, as the materials
   std::vector<Material> materials;  // at most kMaxMaterials
   std::vector<TriangleState> triangles;

@@ -99,7 +99,7 @@ const recurrences = [...rows.filter((name) => !['quad_polynomial', 'quad_horner'
 const units = ['flat_color', 'gouraud_interpolator', ...rows, 'quad_cosine', 'lane_seed', 'pixel_walker',
   'span_setup', 'span_binder', 'normal_setup', 'linear_recurrence', 'slerp_recurrence', 'slerp_paper',
   'length_recurrence', 'slerp_direct_setup', 'slerp_direct', 'reciprocal_sqrt', 'phong_direct',
-  'taylor_normalizer', 'duff_normalizer', 'dot_product', 'pixel_light', 'pixel_queue'];
+  'taylor_normalizer', 'duff_normalizer', 'adaptive_normalizer', 'dot_product', 'pixel_light', 'pixel_queue'];
 // Multipliers of logic alone make the search for their path take hours.
 const slowPaths = ['normal_setup', 'slerp_direct_setup', 'phong_direct', 'taylor_normalizer', 'pixel_light',
   'duff_normalizer', 'adaptive_normalizer', 'slerp_direct', 'span_setup'];
@@ -107,7 +107,7 @@ const slowPaths = ['normal_setup', 'slerp_direct_setup', 'phong_direct', 'taylor
 const methods = ['flat', 'gouraud', 'quad', 'quad-polynomial', 'quad-horner', 'quad-step',
   'quad-midpoint', 'quad-three-term', 'quad-third-difference', 'quad-segment', 'quad-difference',
   'quad-split', 'quad-cosine', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
-  'slerp-paper', 'slerp-intensity', 'slerp-direct'];
+  'slerp-paper', 'slerp-intensity', 'slerp-direct', 'adaptive', 'adaptive-paper', 'adaptive-chord'];
 const record = new Record(json, 'Yosys 0.70, slang front end', target, files);
 if (record.data.multiplier_lut4 === 0) {
   record.data.multiplier_lut4 = await multiplier();

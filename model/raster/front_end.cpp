@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/raster/front_end.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
+#include "model/normal/adaptive_normalizer.h"
 #include "model/normal/span_normals.h"
 #include "model/raster/span_walker.h"
 #include "model/raster/turn_limit.h"
@@ -19,6 +21,14 @@ void Count(Verdict verdict, SkipCounts* skipped) {
     case Verdict::kOffScreen: ++skipped->off_screen; break;
     case Verdict::kEmpty: ++skipped->empty; break;
   }
+}
+
+// What adaptive_normalizer may leave unnormalised.
+AngleLimit LimitOf(const Material& material, Tolerance tolerance, Lighting lighting) {
+  const bool specular =
+      std::any_of(material.specular.begin(), material.specular.end(),
+                  [](const Reflectance reflectance) { return reflectance.raw() > 0; });
+  return AdaptiveNormalizer::LimitOf(tolerance, material.shininess, specular, lighting);
 }
 
 }  // namespace
@@ -92,6 +102,10 @@ bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geomet
   triangle.origin_y = origin.y;
   triangle.dz_dx = DepthAcc::Wrap(static_cast<int64_t>(depth.dx));
   triangle.material = packet.material;
+  if (IsAdaptive(method_)) {
+    triangle.limit = LimitOf(frame_.materials[static_cast<size_t>(packet.material)],
+                             options_.tolerance, frame_.lighting);
+  }
   if (InterpolatesNormals(method_)) {
     using Interpolation = SpanNormals::Interpolation;
     work->split_spans += SpanNormals::Attach(

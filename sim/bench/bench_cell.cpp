@@ -29,7 +29,7 @@ double SpanCurve::CyclesOf(int length) const {
   return cycles;
 }
 
-bool UsesTolerance(Method method) { return method == Method::kQuadSegment; }
+bool UsesTolerance(Method method) { return method == Method::kQuadSegment || IsAdaptive(method); }
 
 Method MethodOf(const std::string& name) {
   for (const Method method : kAllMethods) {

@@ -24,6 +24,7 @@ int KindOf(Method method) {
   if (IsQuadRow(method) || method == Method::kQuadSplit) return 1;
   if (method == Method::kQuadCosine) return 2;
   if (!InterpolatesNormals(method)) return 0;
+  if (IsAdaptive(method)) return 5;
   return IsSpherical(method) ? 4 : 3;
 }
 

@@ -75,6 +75,16 @@ Operations SphericalStart(int quantities) {
 // N.L and N.H of both ends.
 constexpr Operations kEndCosines = {12, 8, 0, 0};
 
+// adaptive_normalizer: chord and its square, 1/m, a level of the ladder of 1/z, and the slope of
+// the first part; each further normal takes its own products and the slope of a part.
+MethodCost Adaptive(const Operations& ends, const Operations& normal, const char* reason) {
+  constexpr Operations kSlope = {3, 3, 3, 0};
+  MethodCost cost = Lit(ends + 3 * kQuadratic + Operations{3, 5, 1, 0} + kSlope,
+                        Operations{0, 3, 0, 0} + kTwoDots, reason);
+  cost.normalisation = normal + kSlope;
+  return cost;
+}
+
 MethodCost SurfaceCost(Method method) {
   switch (method) {
     case Method::kFlat: {
@@ -135,6 +145,14 @@ MethodCost NormalCost(Method method) {
       return Lit(SphericalStart(3) + kRoot + 2 * kQuadratic + Operations{9 + 6, 3 + 3, 6, 0},
                  Operations{6, 85, 54, 0} + kTwoDots,
                  "000 (6): 27 rotations of a CORDIC of 3 additions and 2 shifts, 6 products");
+    case Method::kAdaptive:
+      return Adaptive(kSphericalEnds, {3, 3, 0, 0}, "002: 3 additions; a normal is a sum over z");
+    case Method::kAdaptivePaper:
+      return Adaptive(kSphericalEnds, {3, 3, 0, 0},
+                      "002 as printed; the root of its end is left out");
+    case Method::kAdaptiveChord:
+      return Adaptive(kLinearEnds, Operations{3, 3, 0, 0} + Normalisation(),
+                      "3 additions; a normal is a point of the chord, normalised");
     default: return {};
   }
 }

@@ -55,6 +55,7 @@ void RunRtl(const FrameWork& work, FrameBuffer* picture, Cell* cell) {
   cell->stall = result.counters.stall;
   cell->fill = consumer.first() + (result.cycles - 1 - consumer.last());
   cell->setup = result.cycles - cell->busy - cell->stall - cell->fill;
+  cell->work.normalisations = result.counters.normalised;
   cell->work.highlights =
       LightsPixels(work.method) ? work.pixels - result.counters.no_highlight : 0;
 }

@@ -36,11 +36,12 @@ const SpanCurve* Results::Curve(Method method, int lanes) const {
   return nullptr;
 }
 
-std::optional<double> MeanRatio(const Results& results, Method a, Method b, const CellNumber& of) {
+std::optional<double> MeanRatio(const Results& results, Method a, Method b, const CellNumber& of,
+                                const CellTest& test) {
   double sum = 0;
   int count = 0;
   for (const Cell& cell : results.cells) {
-    if (cell.key.method != a || Partner(results, cell, a) != &cell) continue;
+    if (cell.key.method != a || !test(cell) || Partner(results, cell, a) != &cell) continue;
     const Cell* other = Partner(results, cell, b);
     if (other == nullptr || of(cell) <= 0 || of(*other) <= 0) continue;
     sum += std::log(of(cell) / of(*other));

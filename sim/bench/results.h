@@ -29,6 +29,7 @@ struct Results {
 };
 
 using CellNumber = std::function<double(const Cell&)>;
+using CellTest = std::function<bool(const Cell&)>;
 
 // Geometric mean over scenes and n of quantity(a) / quantity(b), one lane, least tolerance; none
 // when the run has not both.

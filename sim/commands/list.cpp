@@ -31,7 +31,10 @@ constexpr const char* kMethodText[] = {
     "spherical normal, paper 000 (7) as a scaled difference recurrence, lit at every pixel",
     "spherical normal, paper 000 (7); (9) to (11), corrected, with four lanes",
     "spherical N.L and N.H, paper 000 (14), as slerp: no vectors per pixel",
-    "spherical normal, paper 000 (6): sine and cosine of every pixel by a CORDIC"};
+    "spherical normal, paper 000 (6): sine and cosine of every pixel by a CORDIC",
+    "slerp's normals where it shows: bisection within --tolerance, lines between; paper 002",
+    "the same as printed: of the span extended to 2^k steps; misses its end",
+    "Phong's normals where it shows: normalised points of the chord, lines between"};
 
 void PrintTables() {
   fmt::print("Methods\n");

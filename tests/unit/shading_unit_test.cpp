@@ -4,15 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
-#include "model/normal/normal_shader.h"
 #include "model/raster/front_end.h"
 #include "tb/rtl_shading_unit.h"
 #include "tb/scoreboard/scoreboard.h"
 #include "tb/stimulus/random_triangles.h"
 #include "tests/unit/one_span.h"
+#include "tests/unit/shading_unit_timing.h"
 
 namespace shading {
 namespace {
@@ -55,9 +56,11 @@ TriangleList Triangles(uint32_t seed) {
   return list;
 }
 
-// slerp_direct_setup stands behind normal_setup.
-int ArcLatency(Method method) {
-  return method == Method::kSlerpDirect ? SlerpDirectSetup::kContract.latency_cycles : 0;
+// From none to 4 %.
+FrontEndOptions ToleranceOf(uint32_t seed) {
+  FrontEndOptions options;
+  options.tolerance = Tolerance::Round(std::array<double, 4>{0.5, 2.55, 0, 10.2}[seed % 4]);
+  return options;
 }
 
 class ShadingUnitMethod : public testing::TestWithParam<Method> {
@@ -66,7 +69,7 @@ class ShadingUnitMethod : public testing::TestWithParam<Method> {
     int64_t pixels = 0;
     for (const Flow& flow : Flows()) {
       for (uint32_t seed = 1; seed <= frames; ++seed) {
-        const FrameWork work = FrontEnd::Run(Triangles(seed), GetParam());
+        const FrameWork work = FrontEnd::Run(Triangles(seed), GetParam(), ToleranceOf(seed));
         const tb::Verdicts verdicts = Compare(rtl, work, flow, lanes);
         ExpectGood(verdicts, std::string(flow.name) + ", seed " + std::to_string(seed));
         pixels += verdicts.pixels_compared;
@@ -86,20 +89,10 @@ TEST_P(ShadingUnitMethod, FourLanesMatchModel) {
   ExpectSame(tb::RtlShadingUnit::CreateAll(kMaxLanes).get(), kMaxLanes, 2, 150000);
 }
 
-// Cycles from a span to its first pixel, the unit idle.
-int Latency(Method method) {
-  const int light = PixelLight::kContract.latency_cycles + PixelQueue::kContract.latency_cycles;
-  if (!InterpolatesNormals(method)) {
-    return SpanSetup::Steps(method, 0) + 2 + (LightsPixels(method) ? light : 0);
-  }
-  return NormalSetup::Latency(1) + ArcLatency(method) + CosineLatency(method) + light;
-}
-
 // Each span is its own triangle, so that triangle hand-over is in the path.
 TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansAsLongAsTheirSetup) {
   const Method method = GetParam();
-  const int length =
-      InterpolatesNormals(method) ? NormalSetup::kSteps : SpanSetup::Steps(method, 0);
+  const int length = HidingLength(method);
   FrameWork work;
   work.method = method;
   work.materials.emplace_back();
@@ -123,7 +116,7 @@ TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansAsLongAsTheirSetup) {
 // Paper 003's row of 16 pixels: cycles from the first pixel of a row to that of the next.
 TEST_P(ShadingUnitMethod, RowsOf16PixelsFollowEvery16CyclesWithFourLanesEvery4) {
   const Method method = GetParam();
-  const int least = InterpolatesNormals(method) ? NormalSetup::kSteps : 0;  // a span every 8 cycles
+  const int least = InterpolatesNormals(method) ? HidingLength(method) : 0;
   constexpr int kRows = 10, kLength = 16;
   FrameWork work;
   work.method = method;
@@ -192,6 +185,38 @@ TEST(ShadingUnit, ContractMatchesRtl) {
   EXPECT_EQ(recorder.cycles.front() - 1, ShadingUnit::kContract.latency_cycles);
   EXPECT_EQ(recorder.cycles.back() - recorder.cycles.front(),
             99 * ShadingUnit::kContract.interval_cycles);
+}
+
+// Spans within the tolerance are never normalised; the counts of a frame are those of its spans.
+TEST(ShadingUnit, AdaptiveCountsNormalisations) {
+  const TriangleList list = tb::RandomTriangles(2, kTriangles);
+  const Flow flow = Flows().front();
+  const auto rtl = tb::RtlShadingUnit::Create(Method::kAdaptive);
+  int64_t before = INT64_MAX;
+  for (const double tolerance : {0.0, 0.5, 2.55, 10.2}) {
+    FrontEndOptions options;
+    options.tolerance = Tolerance::Round(tolerance);
+    const FrameWork work = FrontEnd::Run(list, Method::kAdaptive, options);
+    int64_t normalised = 0, skipped = 0;
+    for (size_t k = 0, t = 0; k < work.spans.size(); t += work.spans[k++].last) {
+      const SpanCommand& span = work.spans[k];
+      AdaptiveNormalizer model(AdaptiveKind::kSphere, span.normal, span.length,
+                               work.triangles[t].limit);
+      AdaptiveSegment segment;
+      while (model.Next(&segment)) continue;
+      normalised += model.normalisations();
+      skipped += model.skipped();
+    }
+    tb::Scoreboard scoreboard(work, 1, flow.source, flow.sink);
+    tb::RtlResult result = rtl->Run(work, flow.source, flow.sink, &scoreboard, {});
+    EXPECT_EQ(result.counters.normalised, normalised);
+    EXPECT_EQ(result.counters.skipped, skipped);
+    EXPECT_LT(normalised, before) << tolerance;
+    before = normalised;
+    ExpectGood(scoreboard.Finish(result), "adaptive");
+    ++result.counters.normalised;
+    EXPECT_FALSE(scoreboard.Finish(result).Good()) << "a count that is wrong";
+  }
 }
 
 TEST(ShadingUnit, FrameWithoutTriangles) {
