@@ -5,44 +5,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 #include <thread>
 
+#include "sim/option_words.h"
 #include "sim/scene/builtin.h"
 
 namespace shading::sim {
 namespace {
-
-// What the parser fills as text and Finish() turns into Options.
-struct Words {
-  std::string method = "quad", methods = "all", size, rotate, light, camera = "ortho";
-  std::string lighting = "blinn", cull = "back", engine = "rtl";
-  int lanes = 1;
-  double tolerance = 0.5;
-  std::string subdivide = "none";
-};
-
-[[noreturn]] void Refuse(const std::string& what) { throw CLI::ValidationError(what); }
-
-// "A,B,.." or "AxB": exactly `count` numbers.
-std::vector<double> Numbers(const std::string& option, const std::string& text, char separator,
-                            size_t count) {
-  std::vector<double> numbers;
-  for (const std::string& part : CLI::detail::split(text, separator)) {
-    double value = 0;
-    if (!CLI::detail::lexical_cast(part, value)) break;
-    numbers.push_back(value);
-  }
-  if (numbers.size() != count) {
-    Refuse(fmt::format("{} takes {} numbers separated by '{}', not '{}'", option, count, separator,
-                       text));
-  }
-  return numbers;
-}
 
 // Scenes and how they are looked at.
 void AddViewOptions(CLI::App* command, Options* o, Words* w) {
@@ -156,27 +126,6 @@ void AddList(CLI::App* app, Options* o) {
   list->add_flag("--quiet", o->quiet, "print errors only");
 }
 
-std::vector<Method> Methods(const std::string& word) {
-  if (word == "all") return {kAllMethods.begin(), kAllMethods.end()};
-  for (const Method method : kAllMethods) {
-    if (word == Name(method)) return {method};
-  }
-  std::string names;
-  for (const Method method : kAllMethods) names += fmt::format("{}, ", Name(method));
-  Refuse(fmt::format("unknown method '{}': take {}or all", word, names));
-}
-
-// Each once, in the order of shadesim list.
-std::vector<Method> MethodList(const std::string& words) {
-  std::vector<Method> methods;
-  for (const std::string& word : CLI::detail::split(words, ',')) {
-    for (const Method method : Methods(word)) methods.push_back(method);
-  }
-  std::sort(methods.begin(), methods.end());
-  methods.erase(std::unique(methods.begin(), methods.end()), methods.end());
-  return methods;
-}
-
 // Small pictures when quick; all built-in scenes when none is named, then in half as many parts, so
 // that their spans have some pixels.
 void FinishBench(const Words& w, Options* o) {
@@ -257,25 +206,6 @@ void Check(const Options& o) {
 }
 
 }  // namespace
-
-FlowPattern Options::Sink() const {
-  try {
-    if (backpressure == "none") return FlowPattern::Always();
-    if (backpressure == "quarter") return FlowPattern::OneInFour();
-    if (backpressure == "random") return FlowPattern::Random(seed);
-    if (!std::filesystem::is_regular_file(backpressure)) {
-      return FlowPattern::Recorded(backpressure);
-    }
-    std::ifstream file(backpressure);
-    std::string bits{std::istreambuf_iterator<char>(file), {}};
-    bits.erase(std::remove_if(bits.begin(), bits.end(),
-                              [](char c) { return std::isspace(static_cast<unsigned char>(c)); }),
-               bits.end());
-    return FlowPattern::Recorded(bits);
-  } catch (const std::invalid_argument& error) {
-    Refuse(fmt::format("--backpressure {}: {}", backpressure, error.what()));
-  }
-}
 
 std::optional<Options> ParseOptions(int argc, char** argv) {
   Options o;
