@@ -31,9 +31,11 @@ struct Results {
 using CellNumber = std::function<double(const Cell&)>;
 using CellTest = std::function<bool(const Cell&)>;
 
-// Geometric mean over scenes and n of quantity(a) / quantity(b), one lane, least tolerance; none
-// when the run has not both.
-std::optional<double> MeanRatio(const Results& results, Method a, Method b, const CellNumber& of);
+// Geometric mean over scenes and n of quantity(a) / quantity(b), one lane, least tolerance, of the
+// cells of `a` that pass the test; none when the run has not both methods.
+std::optional<double> MeanRatio(
+    const Results& results, Method a, Method b, const CellNumber& of,
+    const CellTest& test = [](const Cell&) { return true; });
 
 // The largest of a quantity over the method's cells.
 std::optional<double> Largest(const Results& results, Method method, const CellNumber& of);
