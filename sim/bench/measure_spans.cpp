@@ -4,19 +4,26 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/normal/adaptive_normalizer.h"
 #include "sim/bench/measure.h"
 #include "tb/rtl_shading_unit.h"
 
 namespace shading::sim {
 namespace {
 
+// What the adaptive methods depend on; see MeasureSpans.
 constexpr double kTurn = 10;  // degrees between the normals at the ends of a span
+constexpr double kTolerance = 0.5;
+constexpr int kShininess = 32;
 
 // Spans of one length on rows below each other, of one triangle.
 FrameWork Rows(Method method, int length, int spans) {
   FrameWork work;
   work.method = method;
   work.triangles.emplace_back();
+  work.triangles[0].limit = AdaptiveNormalizer::LimitOf(
+      Tolerance::Round(kTolerance), Shininess::FromRaw(int64_t{kShininess} << Shininess::kFraction),
+      true, Lighting::kBlinn);
   work.packet.push_back(0);
   if (LightsPixels(method)) work.materials.emplace_back();
   const double turn = kTurn * std::acos(-1.0) / 180;

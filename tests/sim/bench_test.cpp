@@ -133,6 +133,8 @@ TEST(Measure, LongSpansTakeTheirPixelsShortOnesTheirSetUp) {
   EXPECT_EQ(one.CyclesOf(16), 16);
   EXPECT_EQ(one.CyclesOf(60), 64) << "the nearest";
   EXPECT_EQ(MeasureSpans(Method::kFlat, 4, {64}, 12).CyclesOf(64), 16);
+  // 10 degrees in parts of at most 2.54: 3 levels, done beside the pixels.
+  EXPECT_EQ(MeasureSpans(Method::kAdaptive, 1, {64}, 12).CyclesOf(64), 64);
 }
 
 }  // namespace
