@@ -64,11 +64,13 @@ void ShadeSpan(const SpanSeed& seed, const Make& make, Pixel* pixels) {
 // A method whose lanes show the same intensities as one: their recurrences are exact.
 template <typename Unit>
 void ShadeCurve(const SpanSeed& seed, Pixel* pixels) {
-  ShadeSpan(seed, [&](size_t ch) { return Unit(seed.channel[ch]); }, pixels);
+  ShadeSpan(
+      seed, [&](size_t ch) { return Unit(seed.channel[ch]); }, pixels);
 }
 template <typename Unit>
 void ShadePoints(const SpanSeed& seed, Pixel* pixels) {
-  ShadeSpan(seed, [&](size_t ch) { return Unit(seed.point[ch]); }, pixels);
+  ShadeSpan(
+      seed, [&](size_t ch) { return Unit(seed.point[ch]); }, pixels);
 }
 
 // The segments of each lane are its own.
@@ -168,7 +170,9 @@ void ShadingUnit::ShadeIntensities(Pixel* pixels) const {
     case Method::kQuadSegment:
       return ShadeSpan(
           seed,
-          [&](size_t ch) { return LaneSegments(seed.channel[ch], work_.tolerance, clock_.lanes()); },
+          [&](size_t ch) {
+            return LaneSegments(seed.channel[ch], work_.tolerance, clock_.lanes());
+          },
           pixels);
     case Method::kQuadSplit:
       return ShadeSpan(

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Draws docs/images/methods.png, a sphere by five methods and their errors, and prints the errors as the
-# table of docs/accuracy.md. An extra: it needs oiiotool (apt-get install openimageio-tools), as nothing
-# else of the project does. Usage: scripts/methods_picture.sh [SHADESIM]
+# Draws docs/images/methods.png, a sphere by five methods and their errors, and prints the errors as
+# the table of docs/accuracy.md. An extra: only this needs oiiotool (apt-get install
+# openimageio-tools). Usage: scripts/methods_picture.sh [SHADESIM]
 set -euo pipefail
 CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
@@ -16,8 +16,9 @@ trap 'rm -rf -- "$work"' EXIT
 draw() {  # draw METHOD [OPTION...]: the picture, its error map and its errors
   local method=$1
   shift
-  "$shadesim" render builtin:sphere:5 --rotate 25,35 --size 256x256 --engine model --method "$method" \
-    -o "$work/$method.png" --error-map "$work/$method-error.png" --json "$work/$method.json" --quiet "$@"
+  "$shadesim" render builtin:sphere:5 --rotate 25,35 --size 256x256 --engine model \
+    --method "$method" -o "$work/$method.png" --error-map "$work/$method-error.png" \
+    --json "$work/$method.json" --quiet "$@"
 }
 
 value() {  # value METHOD KEY FORMAT: of the whole run

@@ -94,7 +94,8 @@ Image ErrorMap(const FrameBuffer& picture, const TriangleList& list) {
       error = std::max(error, std::abs(picture.code(at)[ch] - exact[ch]));
     }
     const auto ramp = [error](double from, double to) {
-      return static_cast<uint8_t>(std::lround(255 * std::clamp((error - from) / (to - from), 0., 1.)));
+      return static_cast<uint8_t>(
+          std::lround(255 * std::clamp((error - from) / (to - from), 0., 1.)));
     };
     map.code[at] = {ramp(0, 4), ramp(4, 8), ramp(8, 16)};
   });

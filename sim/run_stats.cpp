@@ -31,6 +31,25 @@ void PutError(const PictureError& error, const std::string& prefix, Json* json) 
   (*json)[prefix + "psnr_db"] = std::isfinite(error.psnr_db) ? Json(error.psnr_db) : Json();
 }
 
+// Cycles: null where the engine does not measure them.
+void PutCycles(const RunStats& run, Json* json) {
+  const bool timed = run.engine != "ideal";
+  (*json)["cycles"] = timed ? Json(run.cycles) : Json();
+  (*json)["cycles_per_pixel"] = timed ? Json(PerPixel(run)) : Json();
+  (*json)["setup_cycles"] = timed ? Json(run.counters.setup) : Json();
+  (*json)["stall_cycles"] = timed ? Json(run.counters.stall) : Json();
+}
+
+void PutComparison(const Comparison& comparison, Json* json) {
+  (*json)["pixels_compared"] = comparison.pixels_compared;
+  (*json)["pixels_expected"] = comparison.pixels_expected;
+  (*json)["pixel_mismatches"] = comparison.pixel_mismatches;
+  (*json)["spans_compared"] = comparison.spans_compared;
+  (*json)["spans_expected"] = comparison.spans_expected;
+  (*json)["cycle_mismatches"] = comparison.cycle_mismatches;
+  (*json)["bad_frames"] = comparison.bad_frames;
+}
+
 Json ToJson(const RunStats& run) {
   Json json;
   json["scene"] = run.scene;
@@ -41,12 +60,7 @@ Json ToJson(const RunStats& run) {
   json["triangles"] = run.triangles;
   json["spans"] = run.spans;
   json["pixels"] = run.counters.pixels;
-  // null: this engine or command does not measure it.
-  const bool timed = run.engine != "ideal";
-  json["cycles"] = timed ? Json(run.cycles) : Json();
-  json["cycles_per_pixel"] = timed ? Json(PerPixel(run)) : Json();
-  json["setup_cycles"] = timed ? Json(run.counters.setup) : Json();
-  json["stall_cycles"] = timed ? Json(run.counters.stall) : Json();
+  PutCycles(run, &json);
   json["skipped"] = {{"back_facing", run.skipped.back_facing},
                      {"degenerate", run.skipped.degenerate},
                      {"off_screen", run.skipped.off_screen},
@@ -59,21 +73,49 @@ Json ToJson(const RunStats& run) {
   json["over_limit_triangles"] = run.over_limit;
   json["pieces"] = run.pieces;
   json["lanes"] = run.lanes;
-  if (run.comparison) {
-    const Comparison& c = *run.comparison;
-    json["pixels_compared"] = c.pixels_compared;
-    json["pixels_expected"] = c.pixels_expected;
-    json["pixel_mismatches"] = c.pixel_mismatches;
-    json["spans_compared"] = c.spans_compared;
-    json["spans_expected"] = c.spans_expected;
-    json["cycle_mismatches"] = c.cycle_mismatches;
-    json["bad_frames"] = c.bad_frames;
-  }
+  if (run.comparison) PutComparison(*run.comparison, &json);
   if (run.phong_error) PutError(*run.phong_error, "", &json);
   if (run.closed_form_error) PutError(*run.closed_form_error, "closed_form_", &json);
   json["sim_seconds"] = run.sim_seconds;
   json["pixels_per_second"] = PixelsPerSecond(run);
   return json;
+}
+
+std::string WorkText(const RunStats& run) {
+  std::string text;
+  if (run.skipped.total() > 0) {
+    text += fmt::format(
+        "\n  skipped {} triangles: {} back-facing, {} degenerate, {} off screen, "
+        "{} empty",
+        run.skipped.total(), run.skipped.back_facing, run.skipped.degenerate,
+        run.skipped.off_screen, run.skipped.empty);
+  }
+  if (run.counters.unlit + run.counters.no_highlight + run.split_spans > 0) {
+    text += fmt::format("\n  {} pixels unlit, {} without highlight, {} spans split",
+                        run.counters.unlit, run.counters.no_highlight, run.split_spans);
+  }
+  if (run.counters.normalised + run.counters.skipped > 0) {
+    text += fmt::format("\n  {} normalisations, {} skipped", run.counters.normalised,
+                        run.counters.skipped);
+  }
+  if (run.over_limit > 0) {
+    text += fmt::format("\n  {} triangles turn too far for the tolerance{}", run.over_limit,
+                        run.pieces > 0 ? fmt::format(", split into {}", run.pieces) : "");
+  }
+  return text;
+}
+
+std::string ComparisonText(const Comparison& comparison) {
+  return fmt::format(
+      "\n  compared {} of {} pixels: {} mismatches; {} of {} spans: {} cycle mismatches",
+      comparison.pixels_compared, comparison.pixels_expected, comparison.pixel_mismatches,
+      comparison.spans_compared, comparison.spans_expected, comparison.cycle_mismatches);
+}
+
+std::string ErrorText(const char* ideal, const std::optional<PictureError>& error) {
+  return error ? fmt::format("\n  against {}: max {:.2f} LSB, RMS {:.2f} LSB, PSNR {:.1f} dB",
+                             ideal, error->max_lsb, error->rms_lsb, error->psnr_db)
+               : "";
 }
 
 void AddSkips(const SkipCounts& other, SkipCounts* sum) {
@@ -172,39 +214,10 @@ std::string Summary(const RunStats& run) {
   if (run.engine != "ideal") {
     text += fmt::format(", {} cycles ({:.3f} per pixel)", run.cycles, PerPixel(run));
   }
-  if (run.skipped.total() > 0) {
-    text += fmt::format(
-        "\n  skipped {} triangles: {} back-facing, {} degenerate, {} off screen, "
-        "{} empty",
-        run.skipped.total(), run.skipped.back_facing, run.skipped.degenerate,
-        run.skipped.off_screen, run.skipped.empty);
-  }
-  if (run.counters.unlit + run.counters.no_highlight + run.split_spans > 0) {
-    text += fmt::format("\n  {} pixels unlit, {} without highlight, {} spans split",
-                        run.counters.unlit, run.counters.no_highlight, run.split_spans);
-  }
-  if (run.counters.normalised + run.counters.skipped > 0) {
-    text += fmt::format("\n  {} normalisations, {} skipped", run.counters.normalised,
-                        run.counters.skipped);
-  }
-  if (run.over_limit > 0) {
-    text += fmt::format("\n  {} triangles turn too far for the tolerance{}", run.over_limit,
-                        run.pieces > 0 ? fmt::format(", split into {}", run.pieces) : "");
-  }
-  if (run.comparison) {
-    const Comparison& c = *run.comparison;
-    text += fmt::format(
-        "\n  compared {} of {} pixels: {} mismatches; {} of {} spans: {} cycle mismatches",
-        c.pixels_compared, c.pixels_expected, c.pixel_mismatches, c.spans_compared,
-        c.spans_expected, c.cycle_mismatches);
-  }
-  const auto error = [&](const char* ideal, const std::optional<PictureError>& e) {
-    if (!e) return;
-    text += fmt::format("\n  against {}: max {:.2f} LSB, RMS {:.2f} LSB, PSNR {:.1f} dB", ideal,
-                        e->max_lsb, e->rms_lsb, e->psnr_db);
-  };
-  error("Phong per pixel", run.phong_error);
-  error("its closed form", run.closed_form_error);
+  text += WorkText(run);
+  if (run.comparison) text += ComparisonText(*run.comparison);
+  text += ErrorText("Phong per pixel", run.phong_error);
+  text += ErrorText("its closed form", run.closed_form_error);
   if (run.sim_seconds > 0) {
     text +=
         fmt::format("\n  {:.2f} s, {:.1f} M pixels/s", run.sim_seconds, PixelsPerSecond(run) / 1e6);

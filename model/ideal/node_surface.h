@@ -9,9 +9,9 @@
 
 namespace shading::ideal {
 
-// Paper 003 (2) for kCount values at once, in barycentric form: the quadratic through the values of the
-// three vertices and of the three middles of the edges, whose normals are bisections, paper 002 (1).
-// A middle of opposed normals has the mean of its ends.
+// Paper 003 (2) for kCount values at once, in barycentric form: the quadratic through the values of
+// the three vertices and of the three middles of the edges, whose normals are bisections, paper 002
+// (1). A middle of opposed normals has the mean of its ends.
 template <size_t kCount>
 class NodeSurface {
  public:
@@ -38,7 +38,8 @@ class NodeSurface {
     Values sum = {};
     for (size_t i = 0; i < 3; ++i) {
       const double bump = 4 * weight[(i + 1) % 3] * weight[(i + 2) % 3];
-      for (size_t v = 0; v < kCount; ++v) sum[v] += weight[i] * vertex_[i][v] + bump * excess_[i][v];
+      for (size_t v = 0; v < kCount; ++v)
+        sum[v] += weight[i] * vertex_[i][v] + bump * excess_[i][v];
     }
     return sum;
   }

@@ -10,8 +10,8 @@
 namespace shading {
 
 // The steps of a power 2^-(n y), y = -log2 x, on raw numbers: BlinnSpecular takes them for one
-// pixel, LightBlock for many. 32 bits, no branch and no builtin, so that a loop over pixels runs in
-// vector registers; what is looked up is an argument, for vector registers look up badly.
+// pixel, PixelLightBlock for many. 32 bits, no branch and no builtin, so that a loop over pixels
+// runs in vector registers; what is looked up is an argument, for vector registers look up badly.
 class SpecularMath {
  public:
   static constexpr int kLogPlace = 22, kExpPlace = 18;  // bits of u and g inside a segment

@@ -45,7 +45,8 @@ struct LengthSeed {
 
 using Angle = U<1, 40>;  // radians, [0, 2); sums wrap
 
-// Span on a great circle, N(t) = start cos(t step) + side sin(t step), paper 000 (6). Twin of arc_t.
+// Span on a great circle, N(t) = start cos(t step) + side sin(t step), paper 000 (6). Twin of
+// arc_t.
 struct SpanArc {
   Angle step;        // from pixel to pixel
   SpanNormal start;  // Na

@@ -23,8 +23,8 @@ class PixelQueue {
                                              "light of less than 64 cycles"};
   static constexpr int64_t kDepth = 64;  // groups
 
-  // The groups of a span: group i leaves in cycle first_valid + i, or in the sink's willing cycle
-  // number sink_rank + i.
+  // The groups of a span, or of a segment of an adaptive one: group i leaves in cycle first_valid +
+  // i, or in the sink's willing cycle number sink_rank + i.
   struct Run {
     int64_t first_group, groups;
     int64_t first_valid, sink_rank;
@@ -50,7 +50,7 @@ class PixelQueue {
  private:
   const Run& at(int64_t index) const { return runs_[static_cast<size_t>(index) % runs_.size()]; }
 
-  std::array<Run, 2 * kDepth> runs_ = {};  // kDepth groups lie in at most kDepth + 1 spans
+  std::array<Run, 2 * kDepth> runs_ = {};  // kDepth groups lie in at most kDepth + 1 runs
   int64_t count_ = 0, oldest_ = 0, next_ = 0;
 };
 

@@ -51,7 +51,8 @@ std::optional<Vector3> MeanNormal(const Vector3& a, const Vector3& b) {
   }
   if (square < kLeastSquare) return std::nullopt;
   constexpr int kGuard = 30;
-  const auto length = static_cast<int64_t>(IntegerRoot(static_cast<Uint128>(square) << (2 * kGuard)));
+  const auto length =
+      static_cast<int64_t>(IntegerRoot(static_cast<Uint128>(square) << (2 * kGuard)));
   Vector3 mean;
   for (size_t c = 0; c < sum.size(); ++c) {
     const Int128 scaled = static_cast<Int128>(sum[c]) * (int64_t{1} << NormalComponent::kFraction) *

@@ -8,16 +8,17 @@
 
 namespace shading {
 
-// Splits a triangle whose vertex normals turn too far for a surface of second order, paper 003: every
-// edge whose normals differ by more than a limit is halved, and the triangle cut into two, three or
-// four, until no edge is over the limit. Whether an edge is halved depends on its two ends alone, so
-// neighbours agree and no seam opens.
+// Splits a triangle whose vertex normals turn too far for a surface of second order, paper 003:
+// every edge whose normals differ by more than a limit is halved, and the triangle cut into two,
+// three or four, until no edge is over the limit. Whether an edge is halved depends on its two ends
+// alone, so neighbours agree and no seam opens.
 //
 //   N(1/2) = (Na + Nb) / |Na + Nb|,  paper 002 (1)
 //
-// Positions and depths of a middle are the mean, halves down to 2^-8 pixels and 2^-24: an outline may
-// move by 1/512 pixel. Normals are rounded to nearest S1.22. Edges of opposed normals (|Na + Nb| <
-// 2^-5) and of less than two units of 2^-8 pixels stay whole; a triangle is cut at most kDeepest times.
+// Positions and depths of a middle are the mean, halves down to 2^-8 pixels and 2^-24: an outline
+// may move by 1/512 pixel. Normals are rounded to nearest S1.22. Edges of opposed normals (|Na +
+// Nb| < 2^-5) and of less than two units of 2^-8 pixels stay whole; a triangle is cut at most
+// kDeepest times.
 class Subdivision {
  public:
   static constexpr UnitContract kContract = {"subdivision",

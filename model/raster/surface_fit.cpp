@@ -35,7 +35,8 @@ BasicSurface<Coefficient> FitQuadratic(const std::array<Plane, 3>& barycentric,
     const Plane& li = barycentric[i];
     const Plane& lj = barycentric[j];
     // 4 e_ij, exact: the middle opposite corner k.
-    const Uint128 bend = 4 * Raw(nodes.middle[k]) - 2 * (Raw(nodes.corner[i]) + Raw(nodes.corner[j]));
+    const Uint128 bend =
+        4 * Raw(nodes.middle[k]) - 2 * (Raw(nodes.corner[i]) + Raw(nodes.corner[j]));
     a += bend * Wide(li.dx) * Wide(lj.dx);
     b += bend * Wide(li.dy) * Wide(lj.dy);
     c += bend * (Wide(li.dx) * Wide(lj.dy) + Wide(lj.dx) * Wide(li.dy));

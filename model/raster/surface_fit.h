@@ -30,13 +30,18 @@ using SurfaceNodes = Nodes<Intensity>;
 // intensity carries the half code for rounding; that of a term or a cosine does not.
 //
 // Error     0.38 codes on screens of 4096 x 4096 pixels, 0.10 on 2048 x 2048: coefficients
-//           (x^2 + xy + y^2 + x + y + 1) 2^-27, barycentrics 2295 (x + y + 1) 2^-34. Cosines: 2^-16.6
-//           and 2^-17.7, coefficients (..) 2^-45 and barycentrics 18 (x + y + 1) 2^-34.
+//           (x^2 + xy + y^2 + x + y + 1) 2^-27, barycentrics 2295 (x + y + 1) 2^-34. Cosines:
+//           2^-16.6 and 2^-17.7, coefficients (..) 2^-45 and barycentrics 18 (x + y + 1) 2^-34.
 class SurfaceFit {
  public:
   static constexpr UnitContract kContract = {
-      "surface_fit", "raster", 0, 0, "nodes U8.16, cosines S1.30, barycentric planes S1.33",
-      "coefficients S9.26, S1.44, modulo 2^36, 2^46", 0.4,
+      "surface_fit",
+      "raster",
+      0,
+      0,
+      "nodes U8.16, cosines S1.30, barycentric planes S1.33",
+      "coefficients S9.26, S1.44, modulo 2^36, 2^46",
+      0.4,
       "in codes, before rounding, on screens of 4096 x 4096 pixels"};
 
   static Surface Constant(Intensity value);

@@ -22,8 +22,8 @@ Nodes<Value> NodesOf(const std::array<Item, 3>& corner,
   Nodes<Value> nodes;
   for (size_t i = 0; i < 3; ++i) nodes.corner[i] = read(corner[i]);
   for (size_t k = 0; k < 3; ++k) {
-    nodes.middle[k] = middle[k] ? read(*middle[k])
-                                : Mean(nodes.corner[(k + 1) % 3], nodes.corner[(k + 2) % 3]);
+    nodes.middle[k] =
+        middle[k] ? read(*middle[k]) : Mean(nodes.corner[(k + 1) % 3], nodes.corner[(k + 2) % 3]);
   }
   return nodes;
 }
@@ -78,8 +78,7 @@ void TriangleFit::Fit(const TrianglePacket& packet, const TriangleGeometry& geom
 }
 
 void TriangleFit::FitIntensities(const Corners& corners, const Material& material,
-                                 const std::array<Plane, 3>& plane,
-                                 TriangleState* triangle) const {
+                                 const std::array<Plane, 3>& plane, TriangleState* triangle) const {
   using Color = std::array<Intensity, kChannels>;
   const auto shade = [&](const LightCosines& cosines) { return light_.Shade(cosines, material); };
   std::array<Color, 3> corner;
@@ -94,8 +93,7 @@ void TriangleFit::FitIntensities(const Corners& corners, const Material& materia
   const auto middle = ShadeMiddles<Color>(corners.Middles(), shade);
   for (size_t ch = 0; ch < kChannels; ++ch) {
     const auto read = [ch](const Color& color) { return color[ch]; };
-    triangle->surface[ch] =
-        SurfaceFit::Quadratic(plane, NodesOf<Intensity>(corner, middle, read));
+    triangle->surface[ch] = SurfaceFit::Quadratic(plane, NodesOf<Intensity>(corner, middle, read));
   }
 }
 
@@ -122,7 +120,8 @@ void TriangleFit::FitCosines(const Corners& corners, const std::array<Plane, 3>&
   const auto middle = corners.Middles();
   const auto n_dot_l = [](const LightCosines& c) { return c.n_dot_l; };
   const auto n_dot_h_or_v = [](const LightCosines& c) { return c.n_dot_h_or_v; };
-  triangle->cosine[0] = SurfaceFit::OfCosine(plane, NodesOf<Cosine>(corners.cosines, middle, n_dot_l));
+  triangle->cosine[0] =
+      SurfaceFit::OfCosine(plane, NodesOf<Cosine>(corners.cosines, middle, n_dot_l));
   triangle->cosine[1] =
       SurfaceFit::OfCosine(plane, NodesOf<Cosine>(corners.cosines, middle, n_dot_h_or_v));
 }

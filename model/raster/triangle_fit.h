@@ -7,9 +7,9 @@
 
 namespace shading {
 
-// Light at the nodes of a triangle and the surfaces through them: what the surface methods need of a
-// triangle. Corners are the packet's vertices, middles the normalised means of two normals, paper 003;
-// where opposed normals leave a middle undefined, it has the mean of the corners' values.
+// Light at the nodes of a triangle and the surfaces through them: what the surface methods need of
+// a triangle. Corners are the packet's vertices, middles the normalised means of two normals, paper
+// 003; where opposed normals leave a middle undefined, it has the mean of the corners' values.
 class TriangleFit {
  public:
   TriangleFit(const FrameState& frame, Method method)
@@ -23,8 +23,8 @@ class TriangleFit {
   struct Corners;
   void FitIntensities(const Corners& corners, const Material& material,
                       const std::array<Plane, 3>& plane, TriangleState* triangle) const;
-  void FitTerms(const Corners& corners, const Material& material,
-                const std::array<Plane, 3>& plane, TriangleState* triangle) const;
+  void FitTerms(const Corners& corners, const Material& material, const std::array<Plane, 3>& plane,
+                TriangleState* triangle) const;
   void FitCosines(const Corners& corners, const std::array<Plane, 3>& plane,
                   TriangleState* triangle) const;
 

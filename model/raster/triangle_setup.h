@@ -9,8 +9,8 @@
 
 namespace shading {
 
-// Edge function opposite corner i, in units of 2^-16 square pixels, at pixel centres counted from the
-// corner of the bounding box: w(x, y) = w0 + x dx + y dy, positive inside.
+// Edge function opposite corner i, in units of 2^-16 square pixels, at pixel centres counted from
+// the corner of the bounding box: w(x, y) = w0 + x dx + y dy, positive inside.
 struct Edge {
   int64_t w0 = 0;
   int64_t dx = 0;
@@ -18,8 +18,8 @@ struct Edge {
   bool top_left = false;  // pixels with w = 0 belong to the triangle
 };
 
-// A quantity that is affine on the triangle: value(x, y) = at_origin + x dx + y dy. 33 fraction bits
-// for barycentrics, 38 for depth; kept modulo 2^64, as two's complement.
+// A quantity that is affine on the triangle: value(x, y) = at_origin + x dx + y dy. 33 fraction
+// bits for barycentrics, 38 for depth; kept modulo 2^64, as two's complement.
 struct Plane {
   uint64_t at_origin = 0, dx = 0, dy = 0;
 
@@ -50,8 +50,13 @@ enum class Verdict { kDraw, kBackFacing, kDegenerate, kOffScreen, kEmpty };
 class TriangleSetup {
  public:
   static constexpr UnitContract kContract = {
-      "triangle_setup", "raster", 0, 0, "vertices S13.8, depth U0.24",
-      "barycentric planes S1.33, depth plane S1.38", 0.25,
+      "triangle_setup",
+      "raster",
+      0,
+      0,
+      "vertices S13.8, depth U0.24",
+      "barycentric planes S1.33, depth plane S1.38",
+      0.25,
       "depth in ulp of U0.24 on screens of 4096 x 4096 pixels, before rounding"};
   static constexpr int kBarycentricFraction = 33;
 

@@ -11,8 +11,7 @@
 //           rounding; the sum U11.26, below 3 * 512; code U8.0 (truncate, clamp). Surfaces wrap on
 //           values that are not shown; shown ones lie in -426..426.
 // Error     The recurrences are exact; seeds rounded to 2^-27 codes move pixel t by at most
-//           2 (1 + t + t (t - 1) / 2) 2^-27 codes: < 1/32 code for 2048 pixels. RTL = model on every
-//           pixel.
+//           2 (1 + t + t (t - 1) / 2) 2^-27 codes: < 1/32 code for 2048 pixels. RTL = model.
 // Model     model/intensity/quad_split.h      Doc  docs/units/intensity/quad_split.md
 module quad_split
   import light_pkg::*;

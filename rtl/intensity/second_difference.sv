@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A quadratic along a span by forward differences, two additions a step: what quad_difference,
-// quad_split, quad_cosine and length_recurrence share. A part of their pages; it has none of its own.
+// quad_split, quad_cosine and length_recurrence share. A part of them; it has no page of its own.
 //
 //   v(t+1) = v(t) + d(t),  d(t+1) = d(t) + c          paper 003 (3) with its slope kept
 //

@@ -8,8 +8,8 @@
 //
 // Timing    Latency 1 cycle from load_i to the codes of the first pixels, then Lanes per step_i.
 // Formats   seeds S9.26, codes U8.0.
-// Error     That of the unit in use. Lanes show the same codes as one lane does; quad-segment's lanes
-//           have their own segments, each within the tolerance.
+// Error     That of the unit in use. Lanes show the same codes as one lane does; quad-segment's
+//           lanes have their own segments, each within the tolerance.
 // Model     ShadeSpan in model/shading_unit.cpp      Doc  docs/units/shading_unit.md
 module surface_shader
   import light_pkg::*;

@@ -4,8 +4,8 @@
 //
 //   load, step -> normal_shader -> cosines -> pixel_light -> code -> pixel_queue -> pixel
 //
-// Timing    From a group that enters to its offer: normal_shader + pixel_light + 1 cycles. The light
-//           never stops; pixel_queue admits what it can hold.
+// Timing    From a group that enters to its offer: normal_shader + pixel_light + 1 cycles. The
+//           light never stops; pixel_queue admits what it can hold.
 // Streams   ready/valid at the walker's and at the pixels' side.
 // Formats   normal_pkg, light_pkg.
 // Error     That of the units on the way.

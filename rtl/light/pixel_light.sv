@@ -42,16 +42,16 @@ module pixel_light
   typedef struct packed {
     logic       has_specular;
     shininess_t shininess;
-  } gloss_t;
+  } specular_t;
 
-  gloss_t    gloss_table [NumMaterials];
+  specular_t specular_table [NumMaterials];
   material_t color_table [NumMaterials];   // shininess is not read
 
   // Stage k holds what came k + 1 cycles ago. The index is needed until the colour is read, one
   // cycle before it is combined.
   logic [Latency-2:0]                                valid_q;
   material_index_t [CosineLatency+PowerLatency-2:0]  index_q;
-  gloss_t                                            gloss_q;
+  specular_t                                         specular_q;
   material_t                                         color_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -61,7 +61,7 @@ module pixel_light
 
   always_ff @(posedge clk_i) begin
     if (material_valid_i) begin
-      gloss_table[material_index_i] <= '{material_i.specular != '0, material_i.shininess};
+      specular_table[material_index_i] <= '{material_i.specular != '0, material_i.shininess};
       color_table[material_index_i] <= material_i;
     end
   end
@@ -71,7 +71,7 @@ module pixel_light
     for (int unsigned k = 1; k < CosineLatency + PowerLatency - 1; k++) begin
       if (valid_q[k-1]) index_q[k] <= index_q[k-1];
     end
-    if (valid_q[CosineLatency-2]) gloss_q <= gloss_table[index_q[CosineLatency-2]];
+    if (valid_q[CosineLatency-2]) specular_q <= specular_table[index_q[CosineLatency-2]];
     if (valid_q[CosineLatency+PowerLatency-2]) begin
       color_q <= color_table[index_q[CosineLatency+PowerLatency-2]];
     end
@@ -95,8 +95,8 @@ module pixel_light
     );
 
     blinn_specular u_blinn_specular (
-      .clk_i, .rst_ni, .valid_i(cosine_valid), .skip_i(!gloss_q.has_specular),
-      .cosine_i(specular), .shininess_i(gloss_q.shininess),
+      .clk_i, .rst_ni, .valid_i(cosine_valid), .skip_i(!specular_q.has_specular),
+      .cosine_i(specular), .shininess_i(specular_q.shininess),
       .valid_o(power_valid), .highlight_o(highlight), .skipped_o(skipped)
     );
 

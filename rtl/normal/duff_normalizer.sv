@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Phong's method with its strength reduced, Duff 1979: for light and viewer at infinity, N.L and N.H
-// of the linear normal M are linear along the span and q = |M|^2 is quadratic. One reciprocal
+// Phong's method with its strength reduced, Duff 1979: for light and viewer at infinity, N.L and
+// N.H of the linear normal M are linear along the span and q = |M|^2 is quadratic. One reciprocal
 // square root and two products normalise both cosines; the normal itself is not needed.
 //
 //   N.L = M.L / sqrt(q),   N.H = M.H / sqrt(q)
 //
 // Timing    Latency 9 cycles, 1 pixel per cycle, never stalls.
-// Formats   M.L, M.H S1.38; q S1.44; cosines S1.30, rounded to nearest, saturated. M.L 2^exponent is
-//           truncated to S2.30, saturated, before the product.
+// Formats   M.L, M.H S1.38; q S1.44; cosines S1.30, rounded to nearest, saturated. M.L 2^exponent
+//           is truncated to S2.30, saturated, before the product.
 // Error     < 87.2 ulp of S1.30 (2^-23.5) for |M.L|, |M.H| <= sqrt(q), q as given; an error dq of q
 //           adds dq / (2 q).
 // Bad input q <= 0 gives 0; cosines beyond the range saturate.

@@ -2,7 +2,7 @@
 //
 // Seeds of the methods that interpolate normals or cosines.
 //
-//   triangle, span -> span_binder -> normal_setup (-> slerp_direct_setup, slerp-direct only) -> seed
+//   triangle, span -> span_binder -> normal_setup (-> slerp_direct_setup for slerp-direct) -> seed
 //                                 -> adaptive_normalizer -> run, normals of the pixels
 //
 // Timing    A span every 8 cycles, adaptive methods as their unit; latency that of the units.

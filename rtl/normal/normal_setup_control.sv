@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Control of normal_setup and slerp_direct_setup: Stages stages of eight steps, and the register from
-// which the result is on offer. Carries each span's run along.
+// Control of normal_setup and slerp_direct_setup: Stages stages of eight steps, and the register
+// from which the result is on offer. Carries each span's run along.
 //
 // Timing    Latency 8 Stages + 1 cycles, a span every 8 cycles. write_o: the last stage passes on.
 // Model     model/normal/stage_clock.h      Doc  docs/units/normal/normal_setup.md

@@ -201,7 +201,10 @@ module normal_shader
 
     assign interpolated.n_dot_l      = quantity_to_cosine(reinsch[0][lane]);
     assign interpolated.n_dot_h_or_v = quantity_to_cosine(reinsch[1][lane]);
-    assign lane_valid[lane] = is_intensity || is_cosine ? valid_i : is_duff ? duff_valid : dot_valid;
-    assign cosines_o[lane]  = is_cosine ? curved : is_intensity ? interpolated : is_duff ? duff : dot;
+    assign lane_valid[lane] = is_intensity || is_cosine ? valid_i
+                            : is_duff                   ? duff_valid : dot_valid;
+    assign cosines_o[lane]  = is_cosine    ? curved
+                            : is_intensity ? interpolated
+                            : is_duff      ? duff : dot;
   end
 endmodule

@@ -6,8 +6,8 @@
 //   N = M / |M|,   1/|M| = reciprocal_sqrt(M.M)
 //
 // Timing    Latency 11 cycles, 1 normal per cycle, never stalls.
-// Formats   M S1.38 (squared in S1.30, truncated; M.M U2.44, truncated), N S1.24, rounded to nearest.
-//           M 2^exponent, of length [1, 2), is truncated to S2.28 before the products.
+// Formats   M S1.38 (squared in S1.30, truncated; M.M U2.44, truncated), N S1.24, rounded to
+//           nearest. M 2^exponent, of length [1, 2), is truncated to S2.28 before the products.
 // Error     Direction < 2^-24 for every |M| >= 2^-9; length < 2^-22.7 + 2^-29.1 / |M|; component
 //           < 2.15 ulp of S1.24 for |M| >= 1/8.
 // Bad input |M| < 2^-22 gives N = 0; |M| >= 2 counts as 2.

@@ -2,10 +2,12 @@
 //
 // Quadratics of reciprocal_sqrt: 1/sqrt(x) = value - (slope - curvature t) t on segment index_i of
 // x = [1, 4), t in [0, 1) from its start. 128 segments of 2^-7 from 1, then 128 of 2^-6 from 2.
-// Each interpolates at the Chebyshev nodes 1/2, 1/2 +- sqrt(3)/4 and is rounded to 28 fraction bits.
+// Each interpolates at the Chebyshev nodes 1/2, 1/2 +- sqrt(3)/4 and is rounded to 28 fraction
+// bits.
 //
 // Timing    1 cycle, clocked by enable_i: the register of a block memory.
-// Model     model/normal/reciprocal_sqrt_table.h     Test  tests/unit/normal/reciprocal_sqrt_test.cpp
+// Model     model/normal/reciprocal_sqrt_table.h
+// Test      tests/unit/normal/reciprocal_sqrt_test.cpp
 module reciprocal_sqrt_table
   import normal_pkg::*;
 (

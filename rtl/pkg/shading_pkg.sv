@@ -56,7 +56,8 @@ package shading_pkg;
   // Methods whose normals come from adaptive_normalizer, not from recurrences of normal_setup.
   localparam methods_t AdaptiveMethods = 23'h700000;
   // Surfaces of second order whose spans start from differences of rows.
-  localparam methods_t PointMethods = method_bit(MethodQuadPolynomial) | method_bit(MethodQuadHorner);
+  localparam methods_t PointMethods =
+    method_bit(MethodQuadPolynomial) | method_bit(MethodQuadHorner);
   localparam methods_t RowMethods = SurfaceMethods & ~PointMethods & ~method_bit(MethodFlat) &
                                     ~method_bit(MethodGouraud);
 
@@ -113,7 +114,7 @@ package shading_pkg;
     cosine_surface_t [Cosines-1:0]  cosine;  // quad-cosine
     intensity_acc_t  [Channels-1:0] ambient; // quad-split: with the half code
     surface_t        [Channels-1:0] specular; // quad-split
-    surface_t        [Channels-1:0] surface; // intensity; quad-split: diffuse, without the half code
+    surface_t        [Channels-1:0] surface; // intensity; quad-split: diffuse, no half code
   } triangle_t;
 
   typedef struct packed {
@@ -191,7 +192,7 @@ package shading_pkg;
     logic [31:0] stall;                      // cycles: pixels were on offer and not taken
     logic [31:0] setup;                      // cycles: no pixel on offer although a span was inside
     logic [31:0] unlit;                      // pixels with N.L <= 0; methods that light every pixel
-    logic [31:0] no_highlight;               // pixels whose power was not computed; the same methods
+    logic [31:0] no_highlight;               // pixels whose power was not computed; same methods
     logic [31:0] normalised;                 // normalisations; adaptive methods
     logic [31:0] skipped;                    // pixels less those, span by span; adaptive methods
   } counters_t;

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Row start and first difference of one second-order surface, paper 003 (9) and (3), the rows stepped
-// by differences in y:
+// Row start and first difference of one second-order surface, paper 003 (9) and (3), the rows
+// stepped by differences in y:
 //
 //   R(y)   = B y^2 + E y + F      R(y+1) = R(y) + G(y),  G(y+1) = G(y) + 2B,  G(0) = B + E
 //   P(y)   = C y + D              P(y+1) = P(y) + C
 //   I(x, y)             = (A x + P) x + R
 //   I(x+1, y) - I(x, y) = 2 A x + A + P
 //
-// Two products a span with A, C and x's slope changing by row (quad), one without (gouraud), none for
-// a constant (flat). A part of span_setup and its page; it has no page of its own.
+// Two products a span with A, C and x's slope changing by row (quad), one without (gouraud), none
+// for a constant (flat). A part of span_setup and its page; it has no page of its own.
 //
-// Timing    load_i takes a surface at its row 0; next_row_i moves one row down, load_i wins. product_i
-//           forms A x; finish_i the last product; write_i, a cycle or more later, the seed.
+// Timing    load_i takes a surface at its row 0; next_row_i moves one row down, load_i wins.
+//           product_i forms A x; finish_i the last product; write_i, a cycle or more later, the
+//           seed.
 // Formats   those of the types: surfaces of intensities S9.26, of cosines S1.44; sums and products
 //           keep the low bits, exact wherever the result fits.
 // Error     None against the integer polynomial.

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Span set-up of the methods that interpolate along a surface: row start and first difference of three
-// channels, of six for quad-split, of two cosines for quad-cosine.
+// Span set-up of the methods that interpolate along a surface: row start and first difference of
+// three channels, of six for quad-split, of two cosines for quad-cosine.
 //
-//   quad ...  I = (Ax + P) x + R, rows by differences   paper 003 (9), (3): 2 products; see row_start
+//   quad ...  I = (Ax + P) x + R, rows by differences   paper 003 (9), (3): 2 products; row_start
 //   gouraud   I = D x + R,  R = E y + F                 1 product
 //   flat      I = F                                     none
 //   quad-polynomial, quad-horner: the coefficients and the pixel themselves
 //
-// Timing    One step a product, and one a row: a span `rows` below the one before it, the first of its
-//           triangle with rows = 0, has
+// Timing    One step a product, and one a row: a span `rows` below the one before it, the first of
+//           its triangle with rows = 0, has
 //             quad ...       max(2, rows + 1) steps
 //             gouraud        max(1, rows)
 //             others         1
-//           A seed is on offer steps + 2 cycles after its span was taken; the initiation interval is
-//           steps cycles: the last sum overlaps the next span's first step. ready/valid on all ports. A
-//           span is never taken before its triangle; a triangle leaves with the last step of its last
-//           span.
-// Formats   intensities S9.26, cosines S1.44, coordinates S12.0 from the triangle's origin; products
-//           keep the low bits. Exact whenever the result fits.
+//           A seed is on offer steps + 2 cycles after its span was taken; the initiation interval
+//           is steps cycles: the last sum overlaps the next span's first step. ready/valid on all
+//           ports. A span is never taken before its triangle; a triangle leaves with the last step
+//           of its last span.
+// Formats   intensities S9.26, cosines S1.44, coordinates S12.0 from the triangle's origin;
+//           products keep the low bits. Exact whenever the result fits.
 // Error     None against the integer polynomial. RTL = model on every seed.
 // Bad input Spans of a triangle come from above downwards: one above the one before never ends.
 // Model     model/raster/span_setup.h      Doc  docs/units/raster/span_setup.md

@@ -103,7 +103,8 @@ int Cycles(const Options& options) {
     const auto at = static_cast<size_t>(i);
     const Frame& frame = frames[at / options.methods.size()];
     CyclesRun& run = runs[at];
-    run.work = FrontEnd::Run(frame.list, options.methods[at % options.methods.size()], options.front_end);
+    run.work =
+        FrontEnd::Run(frame.list, options.methods[at % options.methods.size()], options.front_end);
     run.checked = RunChecked(run.work, options.lanes, source, sink, options.trace, true);
     Describe(frame, run.work, options.lanes, "rtl", &run.checked.stats);
     progress.Step();

@@ -54,7 +54,7 @@ std::optional<Color> GetColor(const aiMaterial& source, const Key& key) {
 
 Color Scale(double factor, const Color& c) { return {factor * c[0], factor * c[1], factor * c[2]}; }
 
-// Made up by a loader: no name or the reserved one, and no exponent.
+// Made up by a loader: no name or the reserved one, and no shininess.
 bool IsPlaceholder(const aiMaterial& source) {
   aiString name;
   source.Get(AI_MATKEY_NAME, name);

@@ -38,7 +38,7 @@ inline Vec3 Rotate(Vec3 v, double yaw, double pitch) {
 
 using Color = std::array<double, 3>;  // red, green, blue; linear, 0..1
 
-// Coefficients for a white light of intensity 1. Shininess is the exponent n, 1..256.
+// Coefficients for a white light of intensity 1. Shininess is n of (N.H)^n, 1..256.
 struct SceneMaterial {
   Color ambient = {0.06, 0.06, 0.06};
   Color diffuse = {0.6, 0.6, 0.6};

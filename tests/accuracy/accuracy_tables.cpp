@@ -241,9 +241,7 @@ std::vector<std::string> AccuracyTables::All() {
       OtherIdeal());
   add(fmt::format("Largest angle, of at most 179 degrees, with an error of at most {} LSB", kLimit),
       LargestAngles());
-  add(fmt::format("Longest spans, of 8, 16 .. 2048 pixels, whose error is at most {} LSB at any "
-                  "angle",
-                  kLimit),
+  add(fmt::format("Longest spans, 8, 16 .. 2048 pixels, of at most {} LSB at any angle", kLimit),
       LongestSpans());
   return lines;
 }

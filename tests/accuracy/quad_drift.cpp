@@ -54,17 +54,7 @@ int64_t DriftOf(const DriftForm& form, const Numbers& exact, int t) {
   return std::abs(form.at(Rounded(exact), t) - form.at(exact, t));
 }
 
-}  // namespace
-
-// Curves in numbers: value, difference or second value, A or 2A.
-std::vector<DriftForm> DriftForms() {
-  const auto two_values = [](const Numbers& n) {
-    return Numbers{n[0], n[0] + n[1], n[2], 0};  // I(0), I(1), A
-  };
-  const auto three_values = [](const Numbers& n) {
-    return Numbers{n[0], n[0] + n[1], n[0] + 2 * n[1] + 2 * n[2], 0};  // I(0), I(1), I(2)
-  };
-  const auto tied = [](Numbers* n) { (*n)[3] = 2 * (*n)[1] - (*n)[0] + 2 * (*n)[2]; };  // I(2)
+std::vector<DriftForm> CoefficientForms() {
   return {
       {"(2), (9) on y = 0", "F, D, A", "t^2 + t + 1", Same, Free,
        [](const Numbers& s, int t) {
@@ -77,6 +67,19 @@ std::vector<DriftForm> DriftForms() {
          return StepRow<int64_t>(s[0], s[2], 0, s[1], 0, t + 1).back();
        },
        [](int t) { return Square(t) + t + 1; }},
+  };
+}
+
+// From the first two or three pixels.
+std::vector<DriftForm> PixelForms() {
+  const auto two_values = [](const Numbers& n) {
+    return Numbers{n[0], n[0] + n[1], n[2], 0};  // I(0), I(1), A
+  };
+  const auto three_values = [](const Numbers& n) {
+    return Numbers{n[0], n[0] + n[1], n[0] + 2 * n[1] + 2 * n[2], 0};  // I(0), I(1), I(2)
+  };
+  const auto tied = [](Numbers* n) { (*n)[3] = 2 * (*n)[1] - (*n)[0] + 2 * (*n)[2]; };  // I(2)
+  return {
       {"(5)", "I(0), I(1), A", "t^2 + t - 1", two_values, Free,
        [](const Numbers& s, int t) {
          return TwoRow(Row{s[0], s[1]}, s[2], t + 1).back();
@@ -92,6 +95,11 @@ std::vector<DriftForm> DriftForms() {
          return ThirdRowRise(Row{s[0], s[1], s[2]}, t + 1).back();
        },
        [](int t) { return 2 * Square(t) - 4 * t + 1; }},
+  };
+}
+
+std::vector<DriftForm> RegisterForms() {
+  return {
       {"two registers, A", "I(0), d(0), A", "t^2 + 1", Same, Free,
        [](const Numbers& s, int t) {
          return DifferenceRow<int64_t>(s[0], s[1], 2 * s[2], t + 1).back();
@@ -103,6 +111,17 @@ std::vector<DriftForm> DriftForms() {
        },
        [](int t) { return 1 + t + (Square(t) - t) / 2; }},
   };
+}
+
+}  // namespace
+
+// Curves in numbers: value, difference or second value, A or 2A.
+std::vector<DriftForm> DriftForms() {
+  std::vector<DriftForm> all = CoefficientForms();
+  for (const auto& forms : {PixelForms(), RegisterForms()}) {
+    all.insert(all.end(), forms.begin(), forms.end());
+  }
+  return all;
 }
 
 double WorstDrift(const DriftForm& form, int fraction_bits, int t) {

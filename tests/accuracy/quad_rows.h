@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/shading_types.h"
+
 namespace shading::accuracy {
 
 // Rows of pixels as a processor would compute them by the formulas of paper 003, operation by
@@ -137,5 +139,10 @@ std::vector<Word> SegmentRow(const RowPoint<Word>& p, const Word& first, int k, 
   }
   return row;
 }
+
+// 2A = 1/32 code, and the tolerance that segments of 2^k pixels attain: 2A 4^k / 8.
+inline constexpr int kBend = IntensityAcc::kFraction - 5;
+inline const ChannelSeed kBent = {{}, {}, {}, IntensityAcc::FromRaw(int64_t{1} << kBend)};
+inline Tolerance ToleranceFor(int k) { return Tolerance::FromRaw(int64_t{16} << (2 * k)); }
 
 }  // namespace shading::accuracy

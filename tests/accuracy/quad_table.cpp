@@ -5,24 +5,13 @@
 
 #include <array>
 
-#include "model/intensity/quad_difference.h"
 #include "model/intensity/quad_horner.h"
-#include "model/intensity/quad_midpoint.h"
 #include "model/intensity/quad_polynomial.h"
 #include "model/intensity/quad_segment.h"
-#include "model/intensity/quad_step.h"
-#include "model/intensity/quad_surface.h"
-#include "model/intensity/quad_third_difference.h"
-#include "model/intensity/quad_three_term.h"
 #include "tests/accuracy/quad_rows.h"
 
 namespace shading::accuracy {
 namespace {
-
-// 2A = 1/32 code, and the tolerance that segments of 2^k pixels attain: 2A 4^k / 8.
-constexpr int kBend = IntensityAcc::kFraction - 5;
-const ChannelSeed kBent = {{}, {}, {}, IntensityAcc::FromRaw(int64_t{1} << kBend)};
-Tolerance ToleranceFor(int k) { return Tolerance::FromRaw(int64_t{16} << (2 * k)); }
 
 template <typename Function>
 Operations CountOf(const Function& function) {
@@ -104,27 +93,10 @@ Operations SegmentUnit(int k) {
   });
 }
 
-template <typename Unit, typename... Inputs>
-UnitRow UnitRowOf(std::string name, std::string equation, const Inputs&... inputs) {
-  const Operations before = CountedWord::Total();
-  Unit unit(inputs...);
-  const Operations loaded = CountedWord::Total();
-  for (int i = 0; i < kUnitPixels; ++i, unit.Step()) unit.code();
-  return {std::move(name), std::move(equation), loaded - before, CountedWord::Total() - loaded};
-}
+using Pixels = std::vector<CountedWord>;
 
-std::string PerPixel(int operations) {
-  return operations % kUnitPixels == 0
-             ? fmt::format("{}", operations / kUnitPixels)
-             : fmt::format("{:.4g}", static_cast<double>(operations) / kUnitPixels);
-}
-
-}  // namespace
-
-std::vector<CostRow> CostRows() {
-  constexpr int n = kPaperPixels;
-  using Row = std::vector<CountedWord>;
-  using Word = CountedWord;
+// (2), (9) and (3): from the coefficients.
+std::vector<CostRow> CoefficientRows() {
   return {
       {"(2)",
        true,
@@ -133,41 +105,65 @@ std::vector<CostRow> CostRows() {
        "A x x, B y y, C x y are two products each, D x and E y one: 8, the paper counts 10"},
       {"(9)", true, {80, 80, 0, 0}, EveryPixel<BasicQuadHorner>(), "equal"},
       {"(3)", true, {20, 65, 15, 15}, Steps(), "equal"},
+  };
+}
+
+// (5) and (7): from pixels and A.
+std::vector<CostRow> PairRows() {
+  return {
       {"(5)",
        true,
        {6, 37, 29, 29},
-       Recurrence(2, [](const Row& row, const Word& a) { TwoRow(row, a, n); }),
+       Recurrence(2, [](const Pixels& row, const CountedWord& a) { TwoRow(row, a, kPaperPixels); }),
        "equal"},
       {"(5), 2A kept",
        false,
        {},
-       Recurrence(2, [](const Row& row, const Word& a) { TwoRowKept(row, a << 1, n); }),
+       Recurrence(2, [](const Pixels& row,
+                        const CountedWord& a) { TwoRowKept(row, a << 1, kPaperPixels); }),
        "2A is the same for the whole triangle"},
       {"(7)",
        true,
        {6, 50, 29, 29},
-       Recurrence(3, [](const Row& row, const Word& a) { ThreeTermRow(row, a, n); }),
+       Recurrence(
+           3, [](const Pixels& row, const CountedWord& a) { ThreeTermRow(row, a, kPaperPixels); }),
        "equal: 4A is two shifts by one bit, as in the paper's 5k + 1; 114 if it is one shift"},
       {"(7), 4A kept",
        false,
        {},
-       Recurrence(3, [](const Row& row, const Word& a) { ThreeTermRowKept(row, a << 2, n); }),
+       Recurrence(3, [](const Pixels& row,
+                        const CountedWord& a) { ThreeTermRowKept(row, a << 2, kPaperPixels); }),
        "4A is the same for the whole triangle"},
+  };
+}
+
+// (8): from three pixels.
+std::vector<CostRow> ThirdDifferenceRows() {
+  return {
       {"(8)",
        true,
        {32, 37, 3, 3},
-       Recurrence(3, [](const Row& row, const Word&) { ThirdRowProducts(row, n); }),
+       Recurrence(
+           3, [](const Pixels& row, const CountedWord&) { ThirdRowProducts(row, kPaperPixels); }),
        "equal"},
       {"(8), optimised",
        true,
        {6, 63, 29, 29},
-       Recurrence(3, [](const Row& row, const Word&) { ThirdRowShifts(row, n); }),
+       Recurrence(3,
+                  [](const Pixels& row, const CountedWord&) { ThirdRowShifts(row, kPaperPixels); }),
        "equal"},
       {"(8) as 3 (I2 - I1) + I0",
        false,
        {},
-       Recurrence(3, [](const Row& row, const Word&) { ThirdRowRise(row, n); }),
+       Recurrence(3,
+                  [](const Pixels& row, const CountedWord&) { ThirdRowRise(row, kPaperPixels); }),
        "one product by 3 instead of two"},
+  };
+}
+
+// What the paper does not count.
+std::vector<CostRow> DifferenceRows() {
+  return {
       {"two registers",
        false,
        {},
@@ -193,21 +189,15 @@ std::vector<CostRow> CostRows() {
   };
 }
 
-std::vector<UnitRow> UnitRows() {
-  using Word = CountedWord;
-  const SurfacePoint point;
-  const ChannelSeed seed;
-  return {
-      UnitRowOf<BasicQuadPolynomial<Word>>("quad_polynomial", "(2)", point),
-      UnitRowOf<BasicQuadHorner<Word>>("quad_horner", "(9)", point),
-      UnitRowOf<BasicQuadStep<Word>>("quad_step", "(3)", seed),
-      UnitRowOf<BasicQuadSurface<Word>>("quad_surface", "(5)", seed),
-      UnitRowOf<BasicQuadMidpoint<Word>>("quad_midpoint", "(5), (6)", seed),
-      UnitRowOf<BasicQuadThreeTerm<Word>>("quad_three_term", "(7)", seed),
-      UnitRowOf<BasicQuadThirdDifference<Word>>("quad_third_difference", "(8)", seed),
-      UnitRowOf<BasicQuadDifference<Word>>("quad_difference", "I += d, d += 2A", seed),
-      UnitRowOf<BasicQuadSegment<Word>>("quad_segment", "segments of 4", kBent, ToleranceFor(2)),
-  };
+}  // namespace
+
+std::vector<CostRow> CostRows() {
+  std::vector<CostRow> all;
+  for (const auto& rows :
+       {CoefficientRows(), PairRows(), ThirdDifferenceRows(), DifferenceRows()}) {
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return all;
 }
 
 std::vector<std::string> CostTable() {
@@ -224,18 +214,6 @@ std::vector<std::string> CostTable() {
     lines.push_back(fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |", row.form, paper,
                                 8 * done.multiplications, done.additions, done.one_bit_shifts,
                                 Cycles(done), CyclesOfBarrelShifts(done), row.why));
-  }
-  return lines;
-}
-
-std::vector<std::string> UnitTable() {
-  std::vector<std::string> lines = {"| unit | form | x | + | shift | load: + | shift |",
-                                    "|---|---|--:|--:|--:|--:|--:|"};
-  for (const UnitRow& row : UnitRows()) {
-    lines.push_back(fmt::format("| {} | {} | {} | {} | {} | {} | {} |", row.unit, row.equation,
-                                PerPixel(row.pixels.multiplications),
-                                PerPixel(row.pixels.additions), PerPixel(row.pixels.shifts),
-                                row.load.additions, row.load.shifts));
   }
   return lines;
 }

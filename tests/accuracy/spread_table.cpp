@@ -100,21 +100,27 @@ std::vector<std::string> ProductTable(const SpreadCells& cells) {
   return lines;
 }
 
-std::vector<std::string> Summary(const SpreadCells& cells) {
-  double unit = 0, above = 0, short_of = 0;
-  int64_t pixels = 0;
-  std::vector<SpreadCell> all = cells.lit;
-  all.insert(all.end(), cells.terminator.begin(), cells.terminator.end());
-  for (const SpreadCell& cell : all) {
-    unit = std::max(unit, cell.product.unit);
-    above = std::max(above, cell.product.closed_form - cell.worst.error);
-    short_of = std::max(short_of, 1 - cell.product.closed_form / cell.worst.error);
-    pixels += cell.product.pixels;
+SpreadSummary SummaryOf(const SpreadCells& cells) {
+  SpreadSummary summary;
+  for (const auto* list : {&cells.lit, &cells.terminator}) {
+    for (const SpreadCell& cell : *list) {
+      const double form = cell.product.closed_form, searched = cell.worst.error;
+      ++summary.cells;
+      summary.pixels += cell.product.pixels;
+      summary.unit = std::max(summary.unit, cell.product.unit);
+      summary.above = std::max(summary.above, form - searched);
+      summary.short_of = std::max(summary.short_of, 1 - form / searched);
+    }
   }
-  return {fmt::format("cells {}, pixels {}", all.size(), pixels),
-          fmt::format("displayed codes from the method's closed form: at most {:.4f}", unit),
-          fmt::format("closed form over the searched error: at most {:.2g} codes", above),
-          fmt::format("closed form short of the searched error: at most {:.2g} of it", short_of)};
+  return summary;
+}
+
+std::vector<std::string> Summary(const SpreadCells& cells) {
+  const SpreadSummary s = SummaryOf(cells);
+  return {fmt::format("cells {}, pixels {}", s.cells, s.pixels),
+          fmt::format("displayed codes from the method's closed form: at most {:.4f}", s.unit),
+          fmt::format("closed form over the searched error: at most {:.2g} codes", s.above),
+          fmt::format("closed form short of the searched error: at most {:.2g} of it", s.short_of)};
 }
 
 }  // namespace shading::accuracy

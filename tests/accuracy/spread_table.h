@@ -50,6 +50,14 @@ std::vector<std::string> LimitTable(const SpreadEffort& effort);
 // over kd, ks in {0, 1/2, 1} and tolerances of 1/2, 1, 2, 4 codes.
 std::vector<std::string> TurnLimitTable(const SpreadEffort& effort);
 std::vector<std::string> ProductTable(const SpreadCells& cells);
+
+struct SpreadSummary {
+  int64_t cells = 0, pixels = 0;
+  double unit = 0;      // codes from the displayed ones to the method's closed form
+  double above = 0;     // codes by which the closed form exceeds the searched error
+  double short_of = 0;  // part of the searched error by which it stays below
+};
+SpreadSummary SummaryOf(const SpreadCells& cells);
 std::vector<std::string> Summary(const SpreadCells& cells);
 
 // For gnuplot: writes `file`, an SVG of the errors over the spread.

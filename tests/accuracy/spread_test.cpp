@@ -6,8 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
+#include <iterator>
+#include <regex>
 #include <sstream>
+#include <string>
 
 #include "model/shading_unit.h"
 #include "tests/accuracy/spread_table.h"
@@ -29,7 +33,9 @@ double Slack(double expected) {
   return std::max(0.03 * expected, 0.55 * last_digit);
 }
 
-std::vector<std::string> Cells(const std::string& line) {
+// The cells of a row; a range is two.
+std::vector<std::string> Cells(std::string line) {
+  for (size_t at; (at = line.find(" - ")) != std::string::npos;) line.replace(at, 3, " | ");
   std::vector<std::string> cells;
   std::istringstream text(line);
   for (std::string cell; std::getline(text, cell, '|');) cells.push_back(cell);
@@ -104,21 +110,48 @@ TEST(Spread, TerminatorBreaksQuadNotTheMethodsThatClampPerPixel) {
   }
 }
 
-TEST(Spread, PageHasTheTables) {
+std::string Page() {
   std::ifstream file(std::string(SHADESIM_ROOT) + "/docs/second_order.md");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void ExpectOnPage(const std::vector<std::string>& table) {
+  std::istringstream text(Page());
   std::vector<std::string> page;
-  for (std::string line; std::getline(file, line);) page.push_back(line);
+  for (std::string line; std::getline(text, line);) page.push_back(line);
   ASSERT_FALSE(page.empty());
-  std::vector<std::vector<std::string>> tables = {TerminatorTable(QuickCells()),
-                                                  LimitTable(kQuickSearch)};
-  for (const int n : kSpreadShininess) tables.push_back(ErrorTable(QuickCells(), n));
-  for (const auto& table : tables) {
-    for (const std::string& line : table) {
-      EXPECT_TRUE(std::any_of(page.begin(), page.end(),
-                              [&](const std::string& there) { return SameLine(line, there); }))
-          << "not on the page: " << line;
-    }
+  for (const std::string& line : table) {
+    EXPECT_TRUE(std::any_of(page.begin(), page.end(),
+                            [&](const std::string& there) { return SameLine(line, there); }))
+        << "not on the page: " << line;
   }
+}
+
+TEST(Spread, PageHasTheTables) {
+  for (const int n : kSpreadShininess) ExpectOnPage(ErrorTable(QuickCells(), n));
+  ExpectOnPage(TerminatorTable(QuickCells()));
+  ExpectOnPage(ProductTable(QuickCells()));
+  ExpectOnPage(LimitTable(kQuickSearch));
+}
+
+// 640 limits: a still smaller search.
+TEST(Spread, PageHasTheTurnLimits) { ExpectOnPage(TurnLimitTable({10, 20, 300})); }
+
+TEST(Spread, PageHasTheSummary) {
+  std::string page = Page();
+  std::replace(page.begin(), page.end(), '\n', ' ');
+  const SpreadSummary summary = SummaryOf(QuickCells());
+  char sentence[160];
+  std::snprintf(sentence, sizeof(sentence),
+                "In all %d cells, with %.1f million pixels, the displayed codes are within %.3f of "
+                "the method's closed form",
+                static_cast<int>(summary.cells), 1e-6 * static_cast<double>(summary.pixels),
+                summary.unit);
+  EXPECT_NE(page.find(sentence), std::string::npos) << sentence;
+  std::smatch below;
+  ASSERT_TRUE(std::regex_search(page, below, std::regex("at most ([0-9.]+) % below it")));
+  EXPECT_NEAR(100 * summary.short_of, std::stod(below[1]), 0.2);
+  EXPECT_LT(summary.above, 0.005);
 }
 
 // The case of one edge, by hand: two normals psi apart, H over the first, the point in the middle

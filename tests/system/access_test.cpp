@@ -24,7 +24,7 @@ TEST(RegisterAccess, AnswersWrongAccessesWithTheRightError) {
     EXPECT_EQ(access(kRead, OffsetOf("ID"), 4), tlm::TLM_OK_RESPONSE);
     EXPECT_EQ(words[0], 0x44414853u);
     EXPECT_EQ(access(kWrite, OffsetOf("WIDTH"), 8), tlm::TLM_OK_RESPONSE);
-    EXPECT_EQ(access(kRead, 0x0d8, 4), tlm::TLM_ADDRESS_ERROR_RESPONSE);
+    EXPECT_EQ(access(kRead, 0x0e8, 4), tlm::TLM_ADDRESS_ERROR_RESPONSE);
     EXPECT_EQ(access(kRead, kAddressSpace, 4), tlm::TLM_ADDRESS_ERROR_RESPONSE);
     EXPECT_EQ(access(kRead, kAddressSpace - 4, 8), tlm::TLM_ADDRESS_ERROR_RESPONSE);
     EXPECT_EQ(access(kRead, UINT64_MAX - 3, 8), tlm::TLM_ADDRESS_ERROR_RESPONSE);

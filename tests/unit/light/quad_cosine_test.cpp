@@ -33,8 +33,7 @@ struct Build {
 };
 template <typename Build>
 class QuadCosineBuild : public testing::Test {};
-using Builds =
-    testing::Types<Build<tb::QuadCosineDut, 0, 1>, Build<tb::QuadCosineLane3Dut, 3, 4>>;
+using Builds = testing::Types<Build<tb::QuadCosineDut, 0, 1>, Build<tb::QuadCosineLane3Dut, 3, 4>>;
 TYPED_TEST_SUITE(QuadCosineBuild, Builds, );
 
 // Seeds are loaded at random, also while a step is asked for; the port carries noise otherwise.
@@ -89,7 +88,8 @@ TEST(QuadCosine, LanesMatchClosedForm) {
 }
 
 double Bound(int64_t t) {
-  const double drift = std::ldexp(1 + static_cast<double>(t) + 0.5 * static_cast<double>(t * (t - 1)), -45);
+  const double drift =
+      std::ldexp(1 + static_cast<double>(t) + 0.5 * static_cast<double>(t * (t - 1)), -45);
   return std::ldexp(drift, Cosine::kFraction) + 0.5;
 }
 
@@ -100,10 +100,11 @@ double Error(double first, double slope, double bend, int last) {
   };
   QuadCosine model({round(first), {}, round(slope), round(bend)});
   for (int t = 0; t < last; ++t) model.Step();
-  const long double real = static_cast<long double>(first) + static_cast<long double>(slope) * last +
+  const long double real = static_cast<long double>(first) +
+                           static_cast<long double>(slope) * last +
                            static_cast<long double>(bend) * last * (last - 1) / 2;
-  return static_cast<double>(
-      std::abs(static_cast<long double>(model.value().raw()) - std::ldexp(real, Cosine::kFraction)));
+  return static_cast<double>(std::abs(static_cast<long double>(model.value().raw()) -
+                                      std::ldexp(real, Cosine::kFraction)));
 }
 
 TEST(QuadCosine, ModelWithinErrorBound) {
@@ -123,7 +124,7 @@ TEST(QuadCosine, ModelWithinErrorBound) {
 
 TEST(QuadCosine, OvershootSaturatesAndComesBack) {
   tb::QuadCosineDut rtl;
-  // 1.875, 2 - 2^-44 is the most that the register holds; rounding up saturates.
+  // 2 - 2^-44 is the most that the register holds; rounding up saturates.
   const CurveSeed seed = {CosineAcc::FromRaw(2 * kOne - 1), {}, CosineAcc::FromRaw(-kOne / 2), {}};
   QuadCosine model(seed);
   rtl.Cycle(true, false, seed);

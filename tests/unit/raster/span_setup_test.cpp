@@ -12,7 +12,7 @@
 
 #include "tb/dut/span_setup_dut.h"
 #include "tests/unit/flows.h"
-#include "tests/unit/raster/span_setup_timing.h"
+#include "tests/unit/raster/span_setup_checks.h"
 #include "tests/unit/raster/span_stimulus.h"
 
 namespace shading {
@@ -20,69 +20,6 @@ namespace {
 
 constexpr int kTriangles = 1500;  // about 3400 spans
 using Dut = tb::SpanSetupDut;
-
-Dut::Flows AlwaysFlows() {
-  return {FlowPattern::Always(), FlowPattern::Always(), FlowPattern::Always()};
-}
-
-template <typename Value>
-void ExpectSeed(const BasicSeed<Value>& rtl, const BasicSeed<Value>& model) {
-  ASSERT_EQ(rtl.first.raw(), model.first.raw());
-  ASSERT_EQ(rtl.second.raw(), model.second.raw());
-  ASSERT_EQ(rtl.difference.raw(), model.difference.raw());
-  ASSERT_EQ(rtl.curvature.raw(), model.curvature.raw());
-}
-
-// Fields that the method does not use are free in the RTL.
-void ExpectChannel(Method method, const SpanSeed& rtl, const SpanSeed& model, size_t ch) {
-  if (method == Method::kFlat) {
-    ASSERT_EQ(rtl.channel[ch].first.raw(), model.channel[ch].first.raw());
-  } else if (IsPointForm(method)) {
-    const SurfacePoint &r = rtl.point[ch], &m = model.point[ch];
-    ASSERT_EQ(r.x, m.x);
-    ASSERT_EQ(r.y, m.y);
-    const Surface &s = r.surface, &t = m.surface;
-    ASSERT_TRUE(s.a == t.a && s.b == t.b && s.c == t.c && s.d == t.d && s.e == t.e && s.f == t.f);
-  } else {
-    ExpectSeed(rtl.channel[ch], model.channel[ch]);
-  }
-  if (method != Method::kQuadSplit) return;
-  ASSERT_EQ(rtl.split[ch].ambient.raw(), model.split[ch].ambient.raw());
-  ExpectSeed(rtl.split[ch].specular, model.split[ch].specular);
-}
-
-void ExpectCosines(const SpanSeed& rtl, const SpanSeed& model) {
-  ASSERT_EQ(rtl.material, model.material);
-  for (size_t i = 0; i < kCosines; ++i) ExpectSeed(rtl.cosine[i], model.cosine[i]);
-}
-
-void ExpectSeeds(const Dut::Work& work, const Dut::Result& result) {
-  ASSERT_EQ(result.failure, "");
-  ASSERT_EQ(result.seeds.size(), work.spans.size());
-  size_t triangle = 0;
-  for (size_t i = 0; i < work.spans.size(); ++i) {
-    const SpanSeed& rtl = result.seeds[i].seed;
-    const SpanSeed model = SpanSetup::Seed(work.method, work.triangles[triangle], work.spans[i]);
-    ASSERT_EQ(rtl.x, model.x) << "span " << i;
-    ASSERT_EQ(rtl.y, model.y) << "span " << i;
-    ASSERT_EQ(rtl.length, model.length) << "span " << i;
-    ASSERT_EQ(rtl.z.raw(), model.z.raw()) << "span " << i;
-    ASSERT_EQ(rtl.dz_dx.raw(), model.dz_dx.raw()) << "span " << i;
-    if (work.method == Method::kQuadCosine) ExpectCosines(rtl, model);
-    for (size_t ch = 0; ch < kChannels && work.method != Method::kQuadCosine; ++ch) {
-      SCOPED_TRACE("span " + std::to_string(i) + " channel " + std::to_string(ch));
-      ExpectChannel(work.method, rtl, model, ch);
-      if (testing::Test::HasFatalFailure()) return;
-    }
-    if (work.spans[i].last) ++triangle;
-  }
-}
-
-void ExpectRun(Dut* rtl, const Dut::Work& work, const Dut::Flows& flows) {
-  const Dut::Result result = rtl->Run(work, flows);
-  ExpectSeeds(work, result);
-  if (!testing::Test::HasFatalFailure()) ExpectCycles(work, flows, result);
-}
 
 using Setting = std::tuple<Method, Flow, Flow>;
 class SpanSetupFlow : public testing::TestWithParam<Setting> {};
@@ -101,8 +38,8 @@ TEST_P(SpanSetupFlow, RtlMatchesModel) {
 }
 
 // One of each kind of start; the other forms of the surface have that of quad.
-constexpr auto kKinds = {Method::kFlat, Method::kGouraud, Method::kQuad, Method::kQuadHorner,
-                         Method::kQuadSplit, Method::kQuadCosine};
+constexpr auto kKinds = {Method::kFlat,       Method::kGouraud,   Method::kQuad,
+                         Method::kQuadHorner, Method::kQuadSplit, Method::kQuadCosine};
 
 INSTANTIATE_TEST_SUITE_P(AllFlows, SpanSetupFlow,
                          testing::Combine(testing::ValuesIn(kKinds), testing::ValuesIn(kFlows),
@@ -152,7 +89,8 @@ TEST(SpanSetup, ContractMatchesRtl) {
 
 // One row a cycle: the only wait that grows with the triangle.
 TEST(SpanSetup, RowsWithoutSpansAreSteppedOver) {
-  for (const auto& [method, cycles] : {std::pair{Method::kQuad, 4095 + 1}, {Method::kGouraud, 4095}}) {
+  for (const auto& [method, cycles] :
+       {std::pair{Method::kQuad, 4095 + 1}, {Method::kGouraud, 4095}}) {
     Dut::Work work = RowByRow(method, 2);
     work.triangles[0].origin_y = work.spans[0].y = 0;
     work.spans[1].y = 4095;

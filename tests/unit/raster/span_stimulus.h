@@ -85,7 +85,8 @@ inline tb::SpanSetupDut::Work RandomWork(Method method, int triangles, std::mt19
     // Downwards, the first at the origin's row; most of the others one row below the one before.
     for (int k = 0, y = triangle.origin_y; k < spans; ++k) {
       work.spans.push_back(RandomSpan(random));
-      if (k > 0) y = std::min(y + (random() % 4 ? 1 : 2 + static_cast<int>(random() % 9)), kMaxScreen - 1);
+      if (k > 0)
+        y = std::min(y + (random() % 4 ? 1 : 2 + static_cast<int>(random() % 9)), kMaxScreen - 1);
       work.spans.back().y = y;
       work.spans.back().last = k + 1 == spans || y == kMaxScreen - 1;
       if (work.spans.back().last) break;
@@ -98,7 +99,8 @@ inline tb::SpanSetupDut::Work RandomWork(Method method, int triangles, std::mt19
     for (Surface& surface : triangle.specular) surface = RandomSurface(random);
     for (IntensityAcc& ambient : triangle.ambient) ambient = RandomAcc(random);
     for (CosineSurface& surface : triangle.cosine) {
-      for (CosineAcc* k : {&surface.a, &surface.b, &surface.c, &surface.d, &surface.e, &surface.f}) {
+      for (CosineAcc* k :
+           {&surface.a, &surface.b, &surface.c, &surface.d, &surface.e, &surface.f}) {
         *k = CosineAcc::Wrap(RandomDepth(random).raw() << (random() % 7));
       }
     }

@@ -163,11 +163,12 @@ struct PlaneErrors {
       for (size_t i = 0; i < 3; ++i) {
         const uint64_t value = planes[i].At(x - spans[0].x, y - spans[0].y);
         sum += value;
-        weight[i] = std::max(
-            weight[i], 0x1p-12 * Off(value, w[static_cast<size_t>(g.corner[i])], exact.area(),
-                                TriangleSetup::kBarycentricFraction));
+        weight[i] =
+            std::max(weight[i], 0x1p-12 * Off(value, w[static_cast<size_t>(g.corner[i])],
+                                              exact.area(), TriangleSetup::kBarycentricFraction));
       }
-      ASSERT_EQ(sum, uint64_t{1} << TriangleSetup::kBarycentricFraction) << "the weights add up to exactly 1";
+      ASSERT_EQ(sum, uint64_t{1} << TriangleSetup::kBarycentricFraction)
+          << "the weights add up to exactly 1";
     });
   }
 
