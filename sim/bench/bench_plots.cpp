@@ -131,6 +131,7 @@ std::string SpanPlot(const Results& results, int lanes) {
       line.label += (i > 0 ? ", " : "") + std::string(Name(group[i]->method));
     }
     if (group.size() > kMostNames) line.label += fmt::format(" +{}", group.size() - kMostNames);
+    line.label_left = true;  // where they differ
     line.colour = KindOf(group[0]->method);
     plot.Add(line);
   }

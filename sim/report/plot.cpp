@@ -39,7 +39,8 @@ Plot::Drawing Plot::Begin() const {
   for (const Mark& mark : marks_) add(mark.x, mark.y);
   for (const Line& line : lines_) {
     for (const auto& [px, py] : line.points) add(px, py);
-    if (!line.label.empty()) right = std::max(right, LabelPlacer::WidthOf(line.label) + 14);
+    if (!line.label.empty() && !line.label_left)
+      right = std::max(right, LabelPlacer::WidthOf(line.label) + 14);
   }
   x = x.OrDefault();
   y = y.OrDefault();
@@ -98,6 +99,7 @@ void Plot::DrawLines(Drawing* d) const {
 }
 
 void Plot::DrawLineLabels(Drawing* d) const {
+  constexpr double kPitch = 13;
   struct Label {
     double at, end_x, end_y;
     const Line* line;
@@ -105,23 +107,27 @@ void Plot::DrawLineLabels(Drawing* d) const {
   std::vector<Label> labels;
   for (const Line& line : lines_) {
     if (line.label.empty() || line.points.empty()) continue;
-    const double y = d->y(line.points.back().second);
-    labels.push_back({y, d->x(line.points.back().first), y, &line});
+    const auto& end = line.label_left ? line.points.front() : line.points.back();
+    const double y = d->y(end.second);
+    labels.push_back({line.label_left ? y - 8 : y, d->x(end.first), y, &line});
   }
   std::stable_sort(labels.begin(), labels.end(),
                    [](const Label& a, const Label& b) { return a.at < b.at; });
-  // Down so that none covers another, then up again where that left the frame.
-  constexpr double kPitch = 13;
-  for (size_t i = 1; i < labels.size(); ++i)
-    labels[i].at = std::max(labels[i].at, labels[i - 1].at + kPitch);
-  double limit = d->frame.bottom;
-  for (size_t i = labels.size(); i-- > 0; limit = labels[i].at - kPitch)
-    labels[i].at = std::min(labels[i].at, limit);
+  // Up so that none covers the one below it, then down again where that left the frame.
+  for (size_t i = labels.size(); i-- > 1;) {
+    labels[i - 1].at = std::min(labels[i - 1].at, labels[i].at - kPitch);
+  }
+  double limit = d->frame.top + 6;
+  for (Label& label : labels) {
+    label.at = std::max(label.at, limit);
+    limit = label.at + kPitch;
+  }
   for (const Label& label : labels) {
-    const double x = d->frame.right + 8;
+    const bool left = label.line->label_left;
+    const double x = left ? label.end_x + 6 : d->frame.right + 8;
     d->svg += fmt::format(
         "<path class=\"line s{}\" style=\"stroke-width:1\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>"
-        "<text class=\"f{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+        "<text class=\"halo f{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
         label.line->colour, label.end_x, label.end_y, x - 1, label.at, label.line->colour, x,
         label.at + 4, EscapeHtml(label.line->label));
   }

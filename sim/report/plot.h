@@ -26,7 +26,8 @@ struct Mark {
 
 struct Line {
   std::vector<std::pair<double, double>> points;
-  std::string label;  // at its right end; may be empty
+  std::string label;        // may be empty
+  bool label_left = false;  // at its left end, else beside the right one
   int colour = 0;
   bool dashed = false;  // a front: steps, dashed, neutral
 };

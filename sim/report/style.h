@@ -42,7 +42,7 @@ th[aria-sort=descending] button::after { content:" \2193"; color:var(--text); }
 .gallery { display:flex; flex-wrap:wrap; gap:16px; } .gallery figure { margin:0; width:292px; }
 .gallery img { width:144px; image-rendering:pixelated; background:#000; vertical-align:top; margin-right:2px; }
 svg { display:block; max-width:100%; height:auto; } svg text { fill:var(--text); font:11px system-ui, "Liberation Sans", sans-serif; }
-svg .soft { fill:var(--soft); } svg .title { font-size:13px; font-weight:600; }
+svg .halo { paint-order:stroke; stroke:var(--ground); stroke-width:3px; } svg .soft { fill:var(--soft); } svg .title { font-size:13px; font-weight:600; }
 svg .grid { stroke:var(--rule); stroke-width:1; } svg .frame { stroke:var(--soft); fill:none; }
 svg .line { fill:none; stroke-width:1.8; } svg .front { fill:none; stroke:var(--soft); stroke-dasharray:4 3; }
 svg .dim { fill:none; stroke:var(--muted); stroke-width:1.3; }
