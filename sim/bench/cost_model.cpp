@@ -136,8 +136,8 @@ MethodCost NormalCost(Method method) {
       return Lit(SphericalStart(3), Operations{3, 6, 3, 0} + kTwoDots,
                  "000 (7), Reinsch's form: 1 product, 2 additions, 1 shift a component");
     case Method::kSlerpPaper:
-      return Lit(SphericalStart(3), Operations{3, 3, 3, 0} + kTwoDots,
-                 "000 (7): 1 product, 1 shift, 1 subtraction a component");
+      return Lit(SphericalStart(3), Operations{3, 3, 0, 0} + kTwoDots,
+                 "000 (7): 1 product, 1 subtraction a component; 2 cos(phi) is one factor");
     case Method::kSlerpIntensity:
       return Lit(SphericalStart(2) + kEndCosines, {2, 4, 2, 0},
                  "000 (14), Reinsch's form, no vector");
