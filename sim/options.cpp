@@ -5,51 +5,22 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 #include <thread>
+
+#include "sim/option_words.h"
+#include "sim/scene/builtin.h"
 
 namespace shading::sim {
 namespace {
 
-// What the parser fills as text and Finish() turns into Options.
-struct Words {
-  std::string method = "quad", size, rotate, light, camera = "ortho";
-  std::string lighting = "blinn", cull = "back", engine = "rtl";
-  int lanes = 1;
-  double tolerance = 0.5;
-  std::string subdivide = "none";
-};
-
-[[noreturn]] void Refuse(const std::string& what) { throw CLI::ValidationError(what); }
-
-// "A,B,.." or "AxB": exactly `count` numbers.
-std::vector<double> Numbers(const std::string& option, const std::string& text, char separator,
-                            size_t count) {
-  std::vector<double> numbers;
-  for (const std::string& part : CLI::detail::split(text, separator)) {
-    double value = 0;
-    if (!CLI::detail::lexical_cast(part, value)) break;
-    numbers.push_back(value);
-  }
-  if (numbers.size() != count) {
-    Refuse(fmt::format("{} takes {} numbers separated by '{}', not '{}'", option, count, separator,
-                       text));
-  }
-  return numbers;
-}
-
-void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
+// Scenes and how they are looked at.
+void AddViewOptions(CLI::App* command, Options* o, Words* w) {
   const auto view = [o](CLI::Option* option) {
     option->each([o](const std::string&) { o->view_given = true; });
   };
   command->add_option("SCENE", o->scenes,
                       "mesh file, builtin:NAME[:N] (see shadesim list), or .jsonl of packets");
-  command->add_option("--method", w->method, "a method of shadesim list, or all")
-      ->capture_default_str();
   view(command->add_option("--size", w->size, "picture WxH, 1..4096 each (640x480)"));
   view(command->add_option("--camera", w->camera, "ortho or persp")
            ->check(CLI::IsMember({"ortho", "persp"})));
@@ -59,6 +30,12 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
            ->check(CLI::IsMember({"blinn", "phong"})));
   view(command->add_option("--cull", w->cull, "which faces to drop")
            ->check(CLI::IsMember({"back", "none"})));
+}
+
+void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
+  AddViewOptions(command, o, w);
+  command->add_option("--method", w->method, "a method of shadesim list, or all")
+      ->capture_default_str();
   command->add_option("--lanes", w->lanes, "pixels per cycle: 1 or 4")
       ->check(CLI::IsMember({1, 4}));
   command
@@ -124,6 +101,23 @@ void AddCycles(CLI::App* app, Options* o, Words* w) {
   AddRunOptions(cycles, o);
 }
 
+void AddBench(CLI::App* app, Options* o, Words* w) {
+  CLI::App* bench = app->add_subcommand("bench", "run time against error, all methods: a report");
+  bench->callback([o] { o->command = Command::kBench; });
+  bench->footer("Example: shadesim bench --quick --out bench\nWithout a SCENE: all built-in ones.");
+  AddViewOptions(bench, o, w);
+  bench->add_option("--out", o->out, "folder for report.html, bench.json, bench.csv")->required();
+  bench->add_option("--methods", w->methods, "methods of shadesim list, with commas between, or all")
+      ->capture_default_str();
+  bench->add_flag("--quick", o->quick, "small pictures, under a minute on two cores");
+  bench->add_flag("--fresh", o->fresh, "forget what an earlier run left in the folder");
+  bench->add_option("--synthesis", o->synthesis, "areas, from scripts/synth.sh --json")
+      ->capture_default_str();
+  bench->add_option("--markdown", o->markdown, "write the tables of docs/results.md");
+  bench->add_option("--jobs", o->jobs, "threads")->capture_default_str()->check(CLI::Range(1, 256));
+  bench->add_flag("--quiet", o->quiet, "print errors only");
+}
+
 void AddList(CLI::App* app, Options* o) {
   CLI::App* list = app->add_subcommand("list", "methods, units and built-in scenes");
   list->callback([o] { o->command = Command::kList; });
@@ -132,14 +126,19 @@ void AddList(CLI::App* app, Options* o) {
   list->add_flag("--quiet", o->quiet, "print errors only");
 }
 
-std::vector<Method> Methods(const std::string& word) {
-  if (word == "all") return {kAllMethods.begin(), kAllMethods.end()};
-  for (const Method method : kAllMethods) {
-    if (word == Name(method)) return {method};
+// Small pictures when quick; all built-in scenes when none is named, then in half as many parts, so
+// that their spans have some pixels.
+void FinishBench(const Words& w, Options* o) {
+  o->methods = MethodList(w.methods);
+  if (o->quick && w.size.empty()) {
+    o->view.width = 240;
+    o->view.height = 180;
   }
-  std::string names;
-  for (const Method method : kAllMethods) names += fmt::format("{}, ", Name(method));
-  Refuse(fmt::format("unknown method '{}': take {}or all", word, names));
+  if (!o->scenes.empty()) return;
+  for (const BuiltinScene& scene : kBuiltinScenes) {
+    const int n = o->quick ? std::max(scene.min_n, scene.default_n / 2) : scene.default_n;
+    o->scenes.push_back(fmt::format("builtin:{}:{}", scene.name, n));
+  }
 }
 
 void Finish(const Words& w, Options* o) {
@@ -174,6 +173,7 @@ void Finish(const Words& w, Options* o) {
     const auto light = Numbers("--light", w.light, ',', 3);
     o->view.light = {light[0], light[1], light[2]};
   }
+  if (o->command == Command::kBench) FinishBench(w, o);
 }
 
 void Check(const Options& o) {
@@ -195,7 +195,7 @@ void Check(const Options& o) {
   if (!o.error_map.empty() && !one_run) Refuse("--error-map takes one SCENE and one --method");
   if (!o.triangles_out.empty() && o.scenes.size() != 1) Refuse("--triangles-out takes one SCENE");
   std::vector<std::string> files = o.scenes;
-  for (const std::string& out : {o.image, o.error_map, o.json, o.csv, o.trace, o.triangles_out}) {
+  for (const std::string& out : {o.image, o.error_map, o.json, o.csv, o.trace, o.triangles_out, o.markdown}) {
     if (out.empty()) continue;
     if (std::find(files.begin(), files.end(), out) != files.end()) {
       Refuse(fmt::format("{} would be overwritten: give each file its own name", out));
@@ -207,28 +207,11 @@ void Check(const Options& o) {
 
 }  // namespace
 
-FlowPattern Options::Sink() const {
-  try {
-    if (backpressure == "none") return FlowPattern::Always();
-    if (backpressure == "quarter") return FlowPattern::OneInFour();
-    if (backpressure == "random") return FlowPattern::Random(seed);
-    if (!std::filesystem::is_regular_file(backpressure)) {
-      return FlowPattern::Recorded(backpressure);
-    }
-    std::ifstream file(backpressure);
-    std::string bits{std::istreambuf_iterator<char>(file), {}};
-    bits.erase(std::remove_if(bits.begin(), bits.end(),
-                              [](char c) { return std::isspace(static_cast<unsigned char>(c)); }),
-               bits.end());
-    return FlowPattern::Recorded(bits);
-  } catch (const std::invalid_argument& error) {
-    Refuse(fmt::format("--backpressure {}: {}", backpressure, error.what()));
-  }
-}
-
 std::optional<Options> ParseOptions(int argc, char** argv) {
   Options o;
   Words w;
+  o.command_line = "shadesim";
+  for (int i = 1; i < argc; ++i) o.command_line += fmt::format(" {}", argv[i]);
   o.jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
   CLI::App app("Cycle-accurate hardware model of a Phong shading unit", "shadesim");
   app.require_subcommand(1);
@@ -237,6 +220,7 @@ std::optional<Options> ParseOptions(int argc, char** argv) {
   AddRender(&app, &o, &w);
   AddVerify(&app, &o, &w);
   AddCycles(&app, &o, &w);
+  AddBench(&app, &o, &w);
   AddList(&app, &o);
 
   try {

@@ -13,7 +13,7 @@
 
 namespace shading::sim {
 
-enum class Command { kRender, kVerify, kCycles, kList };
+enum class Command { kRender, kVerify, kCycles, kBench, kList };
 enum class Engine { kModel, kRtl, kIdeal };
 
 struct Options {
@@ -32,6 +32,10 @@ struct Options {
   int jobs = 1;
   bool quiet = false;
   std::string image, error_map, trace, json, csv, triangles_out;
+  std::string out, markdown;                     // of bench
+  std::string synthesis = "build/synth.json";    // what scripts/synth.sh wrote
+  bool quick = false, fresh = false;
+  std::string command_line;                      // as given, for reports
 
   bool OneMethod() const { return methods.size() == 1; }
   // In which cycles pixels are taken.

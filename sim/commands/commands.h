@@ -10,6 +10,7 @@ namespace shading::sim {
 int Render(const Options& options);
 int Verify(const Options& options);
 int Cycles(const Options& options);
+int RunBench(const Options& options);
 int List(const Options& options);
 
 }  // namespace shading::sim

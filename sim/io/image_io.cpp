@@ -88,6 +88,11 @@ std::vector<unsigned char> Encode(const std::string& path, const std::string& ex
 
 }  // namespace
 
+std::string EncodePng(const Image& image) {
+  const std::vector<unsigned char> bytes = Encode("picture", "png", image);
+  return {bytes.begin(), bytes.end()};
+}
+
 void CheckImageExtension(const std::string& path) {
   const std::string extension = Extension(path);
   if (Contains(kCodeExtensions, extension) || Contains(kFloatExtensions, extension)) return;

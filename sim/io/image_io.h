@@ -22,6 +22,9 @@ struct Image {
 // The file is whole or absent, see AtomicFile. Throws std::runtime_error, one line.
 void WriteImage(const std::string& path, const Image& image);
 
+// The same as PNG, in memory.
+std::string EncodePng(const Image& image);
+
 // Throws what WriteImage would for the extension, before any work is done.
 void CheckImageExtension(const std::string& path);
 

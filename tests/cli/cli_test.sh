@@ -1,43 +1,7 @@
 #!/usr/bin/env bash
 # The command line as a person and a script meet it. Usage: cli_test.sh SHADESIM
-set -uo pipefail
-shadesim=$1
-work=$(mktemp -d)
-trap 'rm -rf -- "$work"' EXIT
-cd -- "$work" || exit 1
-passed=0
-failed=0
-
-check() {  # check NAME COMMAND...: the command must succeed
-  local name=$1
-  shift
-  if "$@"; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "FAILED: $name"
-  fi
-}
-
-# refuse PATTERN ARGS...: exit status 2, nothing on stdout, one line on stderr that matches.
-refuse() {
-  local pattern=$1
-  shift
-  "$shadesim" "$@" >stdout 2>stderr
-  local status=$?
-  check "'$*' exits with 2, not $status" test "$status" -eq 2
-  check "'$*' prints nothing on stdout" test ! -s stdout
-  check "'$*' prints one line: $(cat stderr)" test "$(wc -l <stderr)" -eq 1
-  check "'$*' says $pattern: $(cat stderr)" grep -qE -- "$pattern" stderr
-}
-
-accept() { check "'$*' succeeds" "$shadesim" "$@" --quiet; }
-
-has_keys() {  # has_keys FILE KEY...
-  local file=$1 key
-  shift
-  for key in "$@"; do check "$file has $key" grep -q "^  \"$key\":" "$file"; done
-}
+# shellcheck source=tests/cli/checks.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/checks.sh" "$1"
 
 # Every bad input has a name and a remedy.
 refuse 'subcommand' render_nothing
@@ -163,11 +127,10 @@ check 'list succeeds' test $? -eq 0
 for word in flat gouraud quad phong-duff slerp-paper span_setup quad_surface saddle; do
   check "list names $word" grep -q "$word" list.txt
 done
-for command in '' render verify cycles list; do
+for command in '' render verify cycles bench list; do
   # Unquoted on purpose: no command is no argument.
   "$shadesim" $command --help >help.txt
   check "help of '$command' fits on a screen" test "$(wc -l <help.txt)" -le 50
 done
 
-echo "$passed passed, $failed failed"
-test "$failed" -eq 0 && test "$passed" -gt 100
+summary 100
