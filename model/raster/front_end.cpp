@@ -24,7 +24,7 @@ void Count(Verdict verdict, SkipCounts* skipped) {
 }  // namespace
 
 FrontEnd::FrontEnd(const FrameState& frame, Method method, const FrontEndOptions& options)
-    : frame_(frame), method_(method), options_(options), fit_(frame, method) {
+    : frame_(frame), method_(method), options_(options), fit_(frame, method, options.footprint) {
   if (options.subdivide == Subdivide::kNever) return;
   for (const Material& material : frame.materials) {
     subdivision_.emplace_back(TurnLimit(method, material, options.tolerance));

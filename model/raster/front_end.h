@@ -15,6 +15,7 @@ enum class Subdivide { kNever, kReport, kSplit };
 struct FrontEndOptions {
   Tolerance tolerance = Tolerance::FromRaw(int64_t{1} << (Tolerance::kFraction - 1));  // 1/2 code
   Subdivide subdivide = Subdivide::kNever;
+  bool footprint = false;  // paper 003's surfaces: means over a pixel's footprint, paper 001
 };
 
 // Triangle packets to the commands of the shading unit, integers only: set-up, span walk, vertex

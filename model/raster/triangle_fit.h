@@ -12,8 +12,9 @@ namespace shading {
 // where opposed normals leave a middle undefined, it has the mean of the corners' values.
 class TriangleFit {
  public:
-  TriangleFit(const FrameState& frame, Method method)
-      : frame_(frame), method_(method), light_(frame) {}
+  // footprint: the intensities of paper 003's surfaces become their means over a pixel's footprint.
+  TriangleFit(const FrameState& frame, Method method, bool footprint = false)
+      : frame_(frame), method_(method), footprint_(footprint), light_(frame) {}
 
   // Fills the surfaces that the method uses, counted from pixel (x, y) of the screen.
   void Fit(const TrianglePacket& packet, const TriangleGeometry& geometry, int x, int y,
@@ -22,7 +23,8 @@ class TriangleFit {
  private:
   struct Corners;
   void FitIntensities(const Corners& corners, const Material& material,
-                      const std::array<Plane, 3>& plane, TriangleState* triangle) const;
+                      const TriangleGeometry& geometry, const std::array<Plane, 3>& plane,
+                      TriangleState* triangle) const;
   void FitTerms(const Corners& corners, const Material& material,
                 const std::array<Plane, 3>& plane, TriangleState* triangle) const;
   void FitCosines(const Corners& corners, const std::array<Plane, 3>& plane,
@@ -30,6 +32,7 @@ class TriangleFit {
 
   const FrameState& frame_;
   Method method_;
+  bool footprint_;
   VertexLight light_;
 };
 
