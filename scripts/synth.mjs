@@ -7,13 +7,13 @@ import { runYosys } from '@yowasp/yosys';
 
 const rtl = process.argv[2];
 const files = {};
-for (const folder of ['pkg', 'raster', 'intensity', 'normal', 'light', '.']) {
+for (const folder of ['pkg', 'raster', 'intensity', 'normal', 'light', 'footprint', '.']) {
   for (const name of readdirSync(`${rtl}/${folder}`)) {
     if (name.endsWith('.sv')) files[name] = readFileSync(`${rtl}/${folder}/${name}`, 'utf8');
   }
 }
-const packages = ['fixed_pkg.sv', 'light_pkg.sv', 'normal_pkg.sv', 'specular_table_pkg.sv',
-  'shading_pkg.sv'];
+const packages = ['fixed_pkg.sv', 'light_pkg.sv', 'normal_pkg.sv', 'footprint_pkg.sv',
+  'specular_table_pkg.sv', 'shading_pkg.sv'];
 const sources = [...packages, ...Object.keys(files).filter((name) => !packages.includes(name))];
 
 async function yosys(top, methods, commands) {
@@ -39,7 +39,8 @@ const recurrences = [...rows.filter((name) => !['quad_polynomial', 'quad_horner'
 const units = ['flat_color', 'gouraud_interpolator', ...rows, 'quad_cosine', 'lane_seed', 'pixel_walker',
   'span_setup', 'span_binder', 'normal_setup', 'linear_recurrence', 'slerp_recurrence', 'slerp_paper',
   'length_recurrence', 'slerp_direct_setup', 'slerp_direct', 'reciprocal_sqrt', 'phong_direct',
-  'taylor_normalizer', 'duff_normalizer', 'dot_product', 'pixel_light', 'pixel_queue'];
+  'taylor_normalizer', 'duff_normalizer', 'dot_product', 'pixel_light', 'pixel_queue',
+  'aniso_footprint', 'footprint_mean'];
 // One build per method: bit k of Methods is method k of method_e.
 const methods = ['flat', 'gouraud', 'quad', 'quad-polynomial', 'quad-horner', 'quad-step',
   'quad-midpoint', 'quad-three-term', 'quad-third-difference', 'quad-segment', 'quad-difference',

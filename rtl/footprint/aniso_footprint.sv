@@ -179,6 +179,14 @@ module aniso_footprint
     for (int unsigned lane = 0; lane < Lanes; lane++) ones = ones + 32'(bits[lane]);
   endfunction
 
+  logic [31:0] saved;                        // of the pixels whose last sample this is
+  always_comb begin
+    saved = '0;
+    for (int unsigned lane = 0; lane < Lanes; lane++) begin
+      if (mask_i[lane]) saved = saved + MostSamples - 1 - 32'(index_q);
+    end
+  end
+
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       counters_q <= '0;
@@ -187,9 +195,7 @@ module aniso_footprint
     end else if (issue) begin
       counters_q.taken    <= counters_q.taken + ones(mask_i & live);
       counters_q.excluded <= counters_q.excluded + ones(mask_i & ~live);
-      if (last) begin
-        counters_q.saved <= counters_q.saved + ones(mask_i) * 32'(MostSamples - 1 - 32'(index_q));
-      end
+      if (last) counters_q.saved <= counters_q.saved + saved;
     end
   end
 
