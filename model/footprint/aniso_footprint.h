@@ -12,9 +12,9 @@ struct FootprintSample {
   int weight = 1;    // 1 or 2
 };
 
-// Bit-exact model of rtl/footprint/aniso_footprint.sv: the samples of the pixels of one span or lane,
-// paper 001 (2), (3). A footprint is an ellipse on the surface and a disc on the screen; the normal
-// and the enlarged triangle's barycentrics are affine there, so that a sample is a sum.
+// Bit-exact model of rtl/footprint/aniso_footprint.sv: the samples of the pixels of one span or
+// lane, paper 001 (2), (3). A footprint is an ellipse on the surface and a disc on the screen; the
+// normal and the enlarged triangle's barycentrics are affine there, so that a sample is a sum.
 //
 //   N(s) = N(centre) +- offset_k,   inside(s) = a', b', c' of the sample >= 0
 //

@@ -34,8 +34,8 @@ std::array<Edge, 3> EdgesByVertex(const TriangleGeometry& geometry) {
 
 FootprintAxes FootprintAxes::Of(const Slope& slope, const std::array<int64_t, 3>& normal) {
   // Slopes of 30 bits, so that products with two normals of 24 bits fit.
-  const int shift = Excess<6>({slope.dx[0], slope.dx[1], slope.dx[2], slope.dy[0], slope.dy[1],
-                               slope.dy[2]}, 30);
+  const int shift =
+      Excess<6>({slope.dx[0], slope.dx[1], slope.dx[2], slope.dy[0], slope.dy[1], slope.dy[2]}, 30);
   Slope s;
   for (size_t c = 0; c < 3; ++c) {
     s.dx[c] = slope.dx[c] >> shift;
@@ -64,7 +64,8 @@ FootprintReach::FootprintReach(const std::array<Edge, 3>& edge, int64_t area,
                                int64_t limit_halves) {
   Int128 longest = 0;  // square of the longest edge: the steepest barycentric
   for (const Edge& e : edge) {
-    longest = std::max(longest, static_cast<Int128>(e.dx) * e.dx + static_cast<Int128>(e.dy) * e.dy);
+    longest =
+        std::max(longest, static_cast<Int128>(e.dx) * e.dx + static_cast<Int128>(e.dy) * e.dy);
   }
   constexpr int kExtra = 20;  // fraction bits of the root
   const Int128 steepest = IntegerRoot(static_cast<Uint128>(longest) << (2 * kExtra));

@@ -18,8 +18,8 @@ struct Slope {
 // Edge functions by vertex of the packet.
 std::array<Edge, 3> EdgesByVertex(const TriangleGeometry& geometry);
 
-// The ellipse that the direction of the normal draws while the pixel's disc is walked through: its axes
-// are those of J'J, J = d(normal)/d(screen) without the part along the normal.
+// The ellipse that the direction of the normal draws while the pixel's disc is walked through: its
+// axes are those of J'J, J = d(normal)/d(screen) without the part along the normal.
 //
 // Direction of the major axis on the screen, unit length, S1.30; the minor axis is (-y, x). (1, 0)
 // for a circle and where normals cancel.
@@ -45,6 +45,7 @@ class FootprintReach {
   // of a slope of `slope_fraction`; rounded to nearest.
   std::array<int64_t, 3> Along(const Slope& slope, int64_t x, int64_t y, int slope_fraction,
                                int fraction) const;
+
  private:
   Int128 numerator_, divisor_;
 };

@@ -108,8 +108,8 @@ std::array<Plane, 3> MarginPlanes(const TriangleGeometry& geometry, const std::a
   for (size_t k = 0; k < 3; ++k) {
     Int128 at_origin = 0;
     for (size_t v = 0; v < 3; ++v) {
-      at_origin += static_cast<Int128>(value[v][k]) *
-                   (edge[v].w0 + column * edge[v].dx + row * edge[v].dy);
+      at_origin +=
+          static_cast<Int128>(value[v][k]) * (edge[v].w0 + column * edge[v].dx + row * edge[v].dy);
     }
     plane[k] = {quantise(at_origin), quantise(slope.dx[k]), quantise(slope.dy[k])};
   }
@@ -122,11 +122,12 @@ Margin RoundedMargin(uint64_t plane) {
 }
 
 // Shininess times the square of the turn of a normal that moves by `change` (38 fraction bits) at
-// the centroid: n 9 (|c|^2 |s|^2 - (c.s)^2) / |s|^4, s the sum of the vertices. 20 fraction bits, at
-// most 2^10.
+// the centroid: n 9 (|c|^2 |s|^2 - (c.s)^2) / |s|^4, s the sum of the vertices. 20 fraction bits,
+// at most 2^10.
 int64_t TurnSquare(const Raw& change, const Raw& sum, int64_t shininess) {
   constexpr int kChange = 30, kSum = kNormal - 9;  // fraction bits, so that all fits
-  const Raw s = {sum[0] >> (kNormal - kSum), sum[1] >> (kNormal - kSum), sum[2] >> (kNormal - kSum)};
+  const Raw s = {sum[0] >> (kNormal - kSum), sum[1] >> (kNormal - kSum),
+                 sum[2] >> (kNormal - kSum)};
   const Int128 length = Dot(s, s);
   if (length == 0) return 0;
   Int128 square = 0, along = 0;
@@ -169,11 +170,10 @@ FootprintPattern FootprintSetup::PatternFor(int64_t major, int64_t minor, Tolera
   return FootprintPattern::kEight;
 }
 
-std::array<FootprintOffset, 3> FootprintSetup::Offsets(FootprintPattern pattern,
-                                                       const Axis& major, const Axis& minor) {
+std::array<FootprintOffset, 3> FootprintSetup::Offsets(FootprintPattern pattern, const Axis& major,
+                                                       const Axis& minor) {
   // 30 fraction bits: 1/2, sqrt(1/2), sqrt(2/3), sqrt(1/6).
-  constexpr int64_t kHalf = 1 << 29, kRootHalf = 759250125, kOuter = 876706528,
-                    kInner = 438353264;
+  constexpr int64_t kHalf = 1 << 29, kRootHalf = 759250125, kOuter = 876706528, kInner = 438353264;
   const auto mix = [&](int64_t a, int64_t b) {
     Raw normal, margin;
     for (size_t c = 0; c < 3; ++c) {
@@ -197,8 +197,8 @@ FootprintPattern FootprintSetup::Pattern(const Raw& major, const Raw& minor, con
                                          const Material& material) const {
   const bool shiny = std::any_of(material.specular.begin(), material.specular.end(),
                                  [](Reflectance r) { return r.raw() != 0; });
-  const int64_t n = std::max<int64_t>(shiny ? material.shininess.raw() : 0,
-                                      int64_t{1} << Shininess::kFraction);
+  const int64_t n =
+      std::max<int64_t>(shiny ? material.shininess.raw() : 0, int64_t{1} << Shininess::kFraction);
   const FootprintPattern wanted =
       PatternFor(TurnSquare(major, sum, n), TurnSquare(minor, sum, n), options_.tolerance);
   return std::clamp(wanted, options_.least, options_.most);

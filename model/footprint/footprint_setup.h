@@ -24,8 +24,8 @@ inline constexpr VertexWeights kNoPerspective = {1 << 22, 1 << 22, 1 << 22};
 
 // The footprint of the pixels of a triangle, paper 001. On the screen it is a disc of the pixel's
 // second moments, and what is interpolated is affine there: with weights w_i = 1 / distance the
-// direction of sum lambda_i w_i N_i is that of the interpolation on the surface, so that offsets are
-// constants of the triangle with perspective too.
+// direction of sum lambda_i w_i N_i is that of the interpolation on the surface, so that offsets
+// are constants of the triangle with perspective too.
 //
 //   O_k = r (M, m) p_k,  M, m = J along the axes of J'J       p_k: rules of the disc, see the page
 //   samples by the turn: T = n |M|^2, t = n |m|^2, errors 255 (T + t) / 8, (16 t + T^2) / 128,
@@ -74,8 +74,8 @@ class FootprintSetup {
   // Offsets of a pattern from those along the axes, rounded to nearest; normals saturate.
   static std::array<FootprintOffset, 3> Offsets(FootprintPattern pattern, const Axis& major,
                                                 const Axis& minor);
-  // The smallest pattern that keeps a full-scale highlight within the tolerance, from the squares of
-  // the turns along the axes times the shininess, 20 fraction bits.
+  // The smallest pattern that keeps a full-scale highlight within the tolerance, from the squares
+  // of the turns along the axes times the shininess, 20 fraction bits.
   static FootprintPattern PatternFor(int64_t major, int64_t minor, Tolerance tolerance);
 
  private:

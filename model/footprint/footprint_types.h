@@ -43,7 +43,7 @@ struct FootprintOffset {
 struct Footprint {
   FootprintPattern pattern = FootprintPattern::kCentre;
   std::array<FootprintOffset, 3> offset;  // from the centre to a sample
-  Margins margin_dx;                   // from pixel to pixel
+  Margins margin_dx;                      // from pixel to pixel
 };
 
 }  // namespace shading

@@ -75,14 +75,11 @@ Barycentric::Weights PaperFootprint::Weights(double x, double y) const {
   const auto area = [&](size_t a, size_t b) {
     return (x_[a] - x) * (y_[b] - y) - (x_[b] - x) * (y_[a] - y);
   };
-  const double whole =
-      (x_[1] - x_[0]) * (y_[2] - y_[0]) - (x_[2] - x_[0]) * (y_[1] - y_[0]);
+  const double whole = (x_[1] - x_[0]) * (y_[2] - y_[0]) - (x_[2] - x_[0]) * (y_[1] - y_[0]);
   return {area(1, 2) / whole, area(2, 0) / whole, area(0, 1) / whole};
 }
 
-Vector PaperFootprint::Normal(double x, double y) const {
-  return Weighted(Weights(x, y), normal_);
-}
+Vector PaperFootprint::Normal(double x, double y) const { return Weighted(Weights(x, y), normal_); }
 
 bool PaperFootprint::Outside(double x, double y) const {
   const Barycentric::Weights c = Weights(x, y);

@@ -9,11 +9,11 @@
 
 namespace shading::ideal {
 
-// A pixel's light as the mean over its footprint, paper 001, by brute force: 4096 points of the ellipse,
-// each with its own barycentrics, normal and light.
+// A pixel's light as the mean over its footprint, paper 001, by brute force: 4096 points of the
+// ellipse, each with its own barycentrics, normal and light.
 //
-// The ellipse is where the pixel's disc falls on the surface; equal areas of one are equal areas of the
-// other without perspective, and to first order with it. The disc has the second moments of the
+// The ellipse is where the pixel's disc falls on the surface; equal areas of one are equal areas of
+// the other without perspective, and to first order with it. The disc has the second moments of the
 // square pixel: radius 1/sqrt(3).
 class Footprint {
  public:
@@ -23,7 +23,8 @@ class Footprint {
   // Distances of the vertices from the viewer; nothing without perspective.
   using Distances = std::optional<std::array<double, 3>>;
 
-  Footprint(const FrameState& frame, const TrianglePacket& triangle, const Distances& distances = {});
+  Footprint(const FrameState& frame, const TrianglePacket& triangle,
+            const Distances& distances = {});
 
   // Not normalised; of the triangle's plane, also outside the triangle.
   Vector Normal(double x, double y) const;

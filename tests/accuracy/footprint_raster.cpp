@@ -36,8 +36,8 @@ struct Drawn {
   VertexWeights weights = kNoPerspective;
 };
 
-// A triangle around the middle of a plane whose normal turns evenly on it, seen at a slant in a random
-// direction.
+// A triangle around the middle of a plane whose normal turns evenly on it, seen at a slant in a
+// random direction.
 Drawn DrawTriangle(const RasterCase& c, std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const double tilt = kPi * uniform(random), cosine = 1 / c.ratio;
@@ -73,10 +73,11 @@ FrameState FrameFor(const RasterCase& c, const TrianglePacket& packet, std::mt19
   FrameState frame;
   frame.width = frame.height = 64;
   frame.cull = Cull::kNone;
-  const Vector middle = ideal::Sum(ideal::ToReal(packet.n[0]),
-                                   ideal::Sum(ideal::ToReal(packet.n[1]), ideal::ToReal(packet.n[2])));
-  frame.half = Quantised(ideal::Sum(ideal::Normalised(middle),
-                                    {gauss(random), gauss(random), gauss(random)}));
+  const Vector middle =
+      ideal::Sum(ideal::ToReal(packet.n[0]),
+                 ideal::Sum(ideal::ToReal(packet.n[1]), ideal::ToReal(packet.n[2])));
+  frame.half = Quantised(
+      ideal::Sum(ideal::Normalised(middle), {gauss(random), gauss(random), gauss(random)}));
   Material material;
   material.specular = {Reflectance::Round(1), Reflectance::Round(1), Reflectance::Round(1)};
   material.shininess = Shininess::Round(c.shininess);
@@ -101,15 +102,16 @@ void ShadeTriangle(const FrameState& frame, const TrianglePacket& packet,
     NormalSetup::Seed({}, {}, span, 1, &seed);
     std::array<LinearRecurrence, 3> line;
     for (size_t c = 0; c < 3; ++c) line[c] = LinearRecurrence(seed.quantity[c][0]);
-    AnisoFootprint samples(setup.footprint, setup.At(span.x - geometry.box_x, span.y - geometry.box_y),
-                           0, 1);
+    AnisoFootprint samples(setup.footprint,
+                           setup.At(span.x - geometry.box_x, span.y - geometry.box_y), 0, 1);
     for (int x = span.x; x < span.x + span.length; ++x) {
       const std::array<Quantity, 3> centre = {line[0].value(), line[1].value(), line[2].value()};
       AnisoFootprint counted = samples;
       int taken = 0;
       const int count = SampleCount(setup.footprint.pattern);
       for (int i = 0; i < count; ++i) taken += counted.Next(i, centre).live;
-      visit(x, span.y, light.Mean(setup.footprint.pattern, centre, &samples).highlight.ToReal(), taken);
+      visit(x, span.y, light.Mean(setup.footprint.pattern, centre, &samples).highlight.ToReal(),
+            taken);
       samples.Step();
       for (LinearRecurrence& l : line) l.Step();
     }

@@ -41,8 +41,9 @@ RasterErrors OnTriangles(const RasterCase& c, int pattern, int triangles) {
 }
 
 void PrintRaster(FootprintForm form, bool perspective, int triangles) {
-  fmt::print("\n| axes | n | turn | 1 | 2 | 4 | 8 | own choice | samples |\n"
-             "|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  fmt::print(
+      "\n| axes | n | turn | 1 | 2 | 4 | 8 | own choice | samples |\n"
+      "|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const double ratio : {1., 4., 16.}) {
     for (const int n : {8, 32, 128}) {
       for (const double turn : {1., 2.}) {
@@ -60,8 +61,9 @@ void PrintRaster(FootprintForm form, bool perspective, int triangles) {
 }
 
 void PrintSeams(int trials) {
-  fmt::print("\n| spread | moved | diffuse | n = 32 | n = 128 | edge | diffuse | n = 32 | n = 128 |\n"
-             "|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  fmt::print(
+      "\n| spread | moved | diffuse | n = 32 | n = 128 | edge | diffuse | n = 32 | n = 128 |\n"
+      "|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const double spread : {5., 10., 15., 20., 30.}) {
     const SeamErrors errors = SearchSeams(spread, trials);
     std::string line = fmt::format("| {:g} |", spread);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Errors of footprints against 4096 points of the ellipse, and against an independent study of them.
+// Errors of footprints against 4096 points of the ellipse, and against an independent study of
+// them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -114,7 +115,8 @@ TEST(FootprintAccuracy, PaperFormIsTheMeanOfItsTriangle) {
   EXPECT_LT(errors.errors.max, 0.006);
 }
 
-// How far the enlarged triangle moves normals, degrees, by the study; and what the shared edge sees.
+// How far the enlarged triangle moves normals, degrees, by the study; and what the shared edge
+// sees.
 TEST(FootprintAccuracy, PaperFormMovesNormals) {
   struct Moved {
     double spread, degrees;

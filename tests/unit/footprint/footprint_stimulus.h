@@ -43,4 +43,45 @@ inline FootprintSetup SetupOf(FootprintForm form, FootprintPattern pattern) {
   return FootprintSetup(options);
 }
 
+inline constexpr double kRadius = ideal::Footprint::kRadius;
+
+// A triangle and what the set-up makes of it.
+struct FootprintCase {
+  FrameState frame = SpanFrame(512, 512);
+  TrianglePacket packet;
+  TriangleGeometry geometry;
+  FootprintSetup::Result result;
+
+  bool Make(const TrianglePacket& triangle, const FootprintSetup& setup,
+            const VertexWeights& weights = kNoPerspective) {
+    packet = triangle;
+    if (TriangleSetup::Setup(packet, frame, &geometry) != Verdict::kDraw) return false;
+    result =
+        setup.Of(packet, geometry, frame.materials[0], geometry.box_x, geometry.box_y, weights);
+    return true;
+  }
+  ideal::Vector Offset(size_t k) const {
+    const auto& normal = result.footprint.offset[k].normal;
+    return {normal[0].ToReal(), normal[1].ToReal(), normal[2].ToReal()};
+  }
+};
+
+inline ideal::Vector Difference(const ideal::Vector& a, const ideal::Vector& b) {
+  return ideal::Sum(a, ideal::Scaled(-1, b));
+}
+
+// d(normal)/dx and d(normal)/dy, from the values one pixel apart.
+template <typename Normal>
+std::array<ideal::Vector, 2> Slopes(const Normal& field) {
+  const ideal::Vector centre = field.Normal(256, 256);
+  return {Difference(field.Normal(257, 256), centre), Difference(field.Normal(256, 257), centre)};
+}
+
+// Radians.
+inline double AngleBetween(const ideal::Vector& a, const ideal::Vector& b) {
+  const ideal::Vector u = ideal::Normalised(a), v = ideal::Normalised(b);
+  const ideal::Vector gap = Difference(u, v);
+  return std::sqrt(ideal::Dot(gap, gap));
+}
+
 }  // namespace shading

@@ -44,8 +44,7 @@ double ShortestAltitude(const TrianglePacket& packet) {
   double longest = 0;
   for (size_t i = 0; i < 3; ++i) {
     const size_t j = (i + 1) % 3;
-    longest = std::max(longest,
-                       std::hypot(at[2 * j] - at[2 * i], at[2 * j + 1] - at[2 * i + 1]));
+    longest = std::max(longest, std::hypot(at[2 * j] - at[2 * i], at[2 * j + 1] - at[2 * i + 1]));
   }
   return area / longest;
 }
@@ -66,14 +65,15 @@ TEST(QuadFootprint, ConstantIsTheMeanOverTheDisc) {
     for (int p = 0; p < kSpokes * kRings; ++p) {
       const double r = radius * std::sqrt((p / kSpokes + 0.5) / kRings);
       const double angle = 2 * std::acos(-1) * (p % kSpokes) / kSpokes;
-      sum = ideal::Sum(sum, quadratic.AtUnclamped(256 + r * std::cos(angle),
-                                                  256 + r * std::sin(angle)));
+      sum = ideal::Sum(sum,
+                       quadratic.AtUnclamped(256 + r * std::cos(angle), 256 + r * std::sin(angle)));
     }
     const ideal::Rgb centre = quadratic.AtUnclamped(256, 256);
     for (size_t c = 0; c < 3; ++c) {
       const double expected = sum[c] / (kSpokes * kRings) - centre[c];
       const double actual = IntensityAcc::Wrap(mean.triangles[0].surface[c].f.raw() -
-                                               plain.triangles[0].surface[c].f.raw()).ToReal();
+                                               plain.triangles[0].surface[c].f.raw())
+                                .ToReal();
       worst = std::max(worst, std::abs(actual - expected));
       largest = std::max(largest, std::abs(expected));
       EXPECT_EQ(mean.triangles[0].surface[c].a, plain.triangles[0].surface[c].a);
@@ -96,7 +96,8 @@ TEST(QuadFootprint, SliversStayInRange) {
     const FrameWork plain = Work(frame, packet, false), mean = Work(frame, packet, true);
     if (plain.triangles.empty()) continue;
     const double added = IntensityAcc::Wrap(mean.triangles[0].surface[0].f.raw() -
-                                            plain.triangles[0].surface[0].f.raw()).ToReal();
+                                            plain.triangles[0].surface[0].f.raw())
+                             .ToReal();
     largest = std::max(largest, std::abs(added));
   }
   std::printf("at most %.1f codes\n", largest);

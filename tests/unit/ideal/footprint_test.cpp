@@ -28,8 +28,8 @@ TEST(IdealFootprint, EqualNormalsAreNotBlurred) {
   EXPECT_LT(WorstChannel(PaperFootprint(frame, triangle).At(30.5, 40.5), expected), 1e-9);
 }
 
-// A plane that is seen at a slant, with a normal that turns on it: the ellipse is built on the plane,
-// from its own axes and with points that are spread evenly there.
+// A plane that is seen at a slant, with a normal that turns on it: the ellipse is built on the
+// plane, from its own axes and with points that are spread evenly there.
 struct SlantedPlane {
   Vector u, v, n;  // orthonormal; u is the direction of the slant
   Vector origin = {50, 60, 0};
@@ -43,14 +43,15 @@ struct SlantedPlane {
 };
 
 // Corners on the plane, and normals that change linearly on it.
-TrianglePacket OnPlane(const SlantedPlane& plane, const std::array<std::array<double, 2>, 3>& corner) {
+TrianglePacket OnPlane(const SlantedPlane& plane,
+                       const std::array<std::array<double, 2>, 3>& corner) {
   TrianglePacket triangle = TestTriangle();
   for (size_t i = 0; i < 3; ++i) {
     const Vector p = plane.Point(corner[i][0], corner[i][1]);
     triangle.x[i] = ScreenCoord::Round(p[0]);
     triangle.y[i] = ScreenCoord::Round(p[1]);
-    triangle.n[i] = Quantised(Sum(plane.n, Sum(Scaled(corner[i][0] / 60, plane.u),
-                                               Scaled(corner[i][1] / 90, plane.v))));
+    triangle.n[i] = Quantised(
+        Sum(plane.n, Sum(Scaled(corner[i][0] / 60, plane.u), Scaled(corner[i][1] / 90, plane.v))));
   }
   return triangle;
 }
@@ -70,8 +71,8 @@ TEST(IdealFootprint, DiscOnTheScreenIsTheEllipseOnTheSurface) {
       for (int j = -32; j < 32; ++j) {
         const double a = (i + 0.5) / 32, b = (j + 0.5) / 32;
         if (a * a + b * b > 1) continue;
-        const Vector p = plane.Point(a * Footprint::kRadius / std::cos(slant),
-                                     b * Footprint::kRadius);
+        const Vector p =
+            plane.Point(a * Footprint::kRadius / std::cos(slant), b * Footprint::kRadius);
         sum = Sum(sum, light.Shade(Normalised(footprint.Normal(p[0], p[1])), frame.materials[0]));
         ++count;
       }
