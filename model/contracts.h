@@ -28,6 +28,7 @@
 #include "model/light/specular_cosine.h"
 #include "model/light/specular_power.h"
 #include "model/light/vertex_light.h"
+#include "model/normal/adaptive_normalizer.h"
 #include "model/normal/duff_normalizer.h"
 #include "model/normal/length_recurrence.h"
 #include "model/normal/linear_recurrence.h"
@@ -87,6 +88,7 @@ inline constexpr std::array kContracts = {
     LengthRecurrence::kContract,
     SlerpDirectSetup::kContract,
     SlerpDirect::kContract,
+    AdaptiveNormalizer::kContract,
     ReciprocalSqrt::kContract,
     PhongDirect::kContract,
     TaylorNormalizer::kContract,

@@ -22,7 +22,7 @@ struct SkipCounts {
 // One frame as it enters the shading unit: triangles in order, each followed by its spans.
 struct FrameWork {
   Method method = Method::kFlat;
-  Tolerance tolerance;              // quad-segment
+  Tolerance tolerance;              // quad-segment; adaptive methods: see limit of TriangleState
   LightState light;                 // methods that light every pixel, as the materials
   std::vector<Material> materials;  // at most kMaxMaterials
   std::vector<TriangleState> triangles;
@@ -30,8 +30,8 @@ struct FrameWork {
   std::vector<SpanCommand> spans;
   int64_t pixels = 0;
   int64_t split_spans = 0;  // spans in two because their normals are over 90 degrees apart
-  int64_t over_limit = 0;   // packets whose normals turn too far for the tolerance, where asked for
-  int64_t pieces = 0;       // triangles that they were split into
+  int64_t over_limit = 0;   // packets on the screen that turn too far for the tolerance
+  int64_t pieces = 0;       // triangles that are drawn for them
   SkipCounts skipped;
 };
 

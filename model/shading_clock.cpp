@@ -33,7 +33,10 @@ ShadingClock::ShadingClock(Method method, int lanes, FlowPattern source, FlowPat
       source_(std::move(source)),
       sink_(std::move(sink)),
       normal_setup_(NormalSetup::StageCount(lanes)),
-      arc_setup_(SlerpDirectSetup::kStages) {}
+      arc_setup_(SlerpDirectSetup::kStages),
+      adaptive_(lanes) {
+  if (IsAdaptive(method)) left_.reserve(kMaxScreen);
+}
 
 void ShadingClock::Triangle() {
   constexpr int64_t kLead = FlowPattern::kTriangleLead;
@@ -60,26 +63,65 @@ int64_t ShadingClock::OfferNormalSeed(int64_t offered, bool last) {
   return arc_setup_.Offer(normal_seed_taken_, seed_taken_);
 }
 
-// Groups enter the light as the queue has room. Room for a later group never comes so late that the
-// groups on offer would break off, since the light takes fewer cycles than the queue has places.
+// Groups on offer to the light from cycle `offered` on enter as the queue has room. Room for a
+// later group never comes so late that the groups on offer would break off, since the light takes
+// fewer cycles than the queue has places.
+ShadingClock::Lit ShadingClock::Light(int64_t offered, int64_t groups) {
+  const int64_t first = queue_.groups();
+  Lit lit;
+  lit.first_entered = std::max(offered, queue_.RoomFor(first, sink_) + 1);
+  lit.first_valid = std::max(lit.first_entered + LightLatency(method_), last_left_ + 1);
+  lit.sink_rank = sink_.always() ? lit.first_valid : sink_.Rank(lit.first_valid);
+  lit.last_left =
+      sink_.always() ? lit.first_valid + groups - 1 : sink_.Select(lit.sink_rank + groups - 1);
+  queue_.Add({first, groups, lit.first_valid, lit.sink_rank});
+  lit.last_entered =
+      std::max(lit.first_entered + groups - 1, queue_.RoomFor(first + groups - 1, sink_) + 1);
+  return lit;
+}
+
 void ShadingClock::Leave(int64_t groups, SpanTiming* timing) {
-  const bool lit = LightsPixels(method_);
-  int64_t first_entered = seed_taken_ + 1;
-  if (lit) {
-    first_entered = std::max(first_entered, queue_.RoomFor(queue_.groups(), sink_) + 1);
-    timing->first_valid = std::max(first_entered + LightLatency(method_), last_left_ + 1);
-  } else {
-    timing->first_valid = first_entered;
+  if (LightsPixels(method_)) {
+    const Lit lit = Light(seed_taken_ + 1, groups);
+    timing->first_valid = lit.first_valid;
+    timing->sink_rank = lit.sink_rank;
+    timing->last_left = lit.last_left;
+    walker_free_ = lit.last_entered;
+    return;
   }
+  timing->first_valid = seed_taken_ + 1;
   timing->sink_rank = sink_.always() ? timing->first_valid : sink_.Rank(timing->first_valid);
   timing->last_left = sink_.always() ? timing->first_valid + groups - 1
                                      : sink_.Select(timing->sink_rank + groups - 1);
   walker_free_ = timing->last_left;
-  if (!lit) return;
-  const int64_t first = queue_.groups();
-  queue_.Add({first, groups, timing->first_valid, timing->sink_rank});
-  walker_free_ =
-      std::max(first_entered + groups - 1, queue_.RoomFor(first + groups - 1, sink_) + 1);
+}
+
+SpanTiming ShadingClock::AdaptiveSpan(int setup_cycles,
+                                      const std::vector<AdaptiveSegment>& segments, bool last) {
+  SpanTiming timing;
+  span_taken_ = std::max(binder_.OfferRun(source_.Next(span_taken_ + 1)), adaptive_.free());
+  binder_.PassSpan(span_taken_, last);
+  adaptive_.TakeSpan(span_taken_, setup_cycles);
+  timing.accepted = span_taken_;
+  left_.clear();
+  for (const AdaptiveSegment& segment : segments) {
+    adaptive_.Segment(segment, [&](int64_t offered, int64_t groups) {
+      const Lit lit = Light(offered, groups);
+      if (left_.empty()) {
+        timing.first_valid = lit.first_valid;
+        timing.sink_rank = lit.sink_rank;
+      }
+      timing.setup += lit.first_valid - 1 - std::max(timing.accepted, last_left_);
+      timing.stall += lit.last_left - lit.first_valid + 1 - groups;
+      for (int64_t i = 0; i < groups; ++i) {
+        left_.push_back(sink_.always() ? lit.first_valid + i : sink_.Select(lit.sink_rank + i));
+      }
+      last_left_ = lit.last_left;
+      return lit.last_entered;
+    });
+  }
+  timing.last_left = last_left_;
+  return timing;
 }
 
 SpanTiming ShadingClock::Span(int length, int rows, bool last) {

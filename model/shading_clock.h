@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "model/flow_pattern.h"
+#include "model/normal/adaptive_clock.h"
 #include "model/normal/normal_setup.h"
 #include "model/normal/slerp_direct_setup.h"
 #include "model/normal/stage_clock.h"
@@ -29,6 +32,7 @@ struct SpanTiming {
 //   normal_setup   accepts in a, passes from stage to stage every 8 cycles, offers likewise
 //   pixel_walker   takes the seed in t, offers the first group of lanes in t + 1
 //   light          takes a group when pixel_queue has room and offers it a fixed time later
+//   adaptive       accepts in a, gives groups to the light segment by segment: AdaptiveClock
 //
 // The source pattern says in which cycles a new triangle or span command may appear; once on offer
 // it stays. The sink pattern says in which cycles pixels are taken.
@@ -39,6 +43,11 @@ class ShadingClock {
   void Triangle();  // the next triangle command; its spans follow
   // rows: from the span before in the same triangle, 0 for the first.
   SpanTiming Span(int length, int rows, bool last);
+  // The same of an adaptive method. first_valid and sink_rank are those of its first segment.
+  SpanTiming AdaptiveSpan(int setup_cycles, const std::vector<AdaptiveSegment>& segments,
+                          bool last);
+  // The cycle in which a group of the latest span of an adaptive method left.
+  int64_t LeftOf(int64_t group) const { return left_[static_cast<size_t>(group)]; }
 
   const FlowPattern& sink() const { return sink_; }
   int lanes() const { return lanes_; }
@@ -46,6 +55,12 @@ class ShadingClock {
  private:
   int64_t OfferSurfaceSeed(int64_t offered, int rows, bool last);
   int64_t OfferNormalSeed(int64_t offered, bool last);
+  // Groups on their way through the light, without a gap: the first and the last enter, the first
+  // is on offer and the last leaves.
+  struct Lit {
+    int64_t first_entered, last_entered, first_valid, sink_rank, last_left;
+  };
+  Lit Light(int64_t offered, int64_t groups);
   void Leave(int64_t groups, SpanTiming* timing);
 
   Method method_;
@@ -59,6 +74,8 @@ class ShadingClock {
   int64_t sum_ = 0;
   StageClock normal_setup_;
   StageClock arc_setup_;
+  AdaptiveClock adaptive_;
+  std::vector<int64_t> left_;      // of the groups of the latest span, adaptive methods
   int64_t normal_seed_taken_ = 0;  // of normal_setup, by slerp_direct_setup or pixel_walker
   int64_t seed_taken_ = 0;         // by pixel_walker
   int64_t walker_free_ = 0;        // the last group of the span before leaves pixel_walker

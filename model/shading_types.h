@@ -47,30 +47,35 @@ enum class Method {
   kSlerp,
   kSlerpPaper,
   kSlerpIntensity,
-  kSlerpDirect
+  kSlerpDirect,
+  kAdaptive,
+  kAdaptivePaper,
+  kAdaptiveChord
 };
-inline constexpr int kMethodCount = 20;
-inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {
-    "flat",
-    "gouraud",
-    "quad",
-    "quad-polynomial",
-    "quad-horner",
-    "quad-step",
-    "quad-midpoint",
-    "quad-three-term",
-    "quad-third-difference",
-    "quad-segment",
-    "quad-difference",
-    "quad-split",
-    "quad-cosine",
-    "phong",
-    "phong-taylor",
-    "phong-duff",
-    "slerp",
-    "slerp-paper",
-    "slerp-intensity",
-    "slerp-direct"};
+inline constexpr int kMethodCount = 23;
+inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {"flat",
+                                                                            "gouraud",
+                                                                            "quad",
+                                                                            "quad-polynomial",
+                                                                            "quad-horner",
+                                                                            "quad-step",
+                                                                            "quad-midpoint",
+                                                                            "quad-three-term",
+                                                                            "quad-third-difference",
+                                                                            "quad-segment",
+                                                                            "quad-difference",
+                                                                            "quad-split",
+                                                                            "quad-cosine",
+                                                                            "phong",
+                                                                            "phong-taylor",
+                                                                            "phong-duff",
+                                                                            "slerp",
+                                                                            "slerp-paper",
+                                                                            "slerp-intensity",
+                                                                            "slerp-direct",
+                                                                            "adaptive",
+                                                                            "adaptive-paper",
+                                                                            "adaptive-chord"};
 inline constexpr std::string_view Name(Method method) {
   return kMethodNames[static_cast<size_t>(method)];
 }
@@ -87,7 +92,11 @@ inline constexpr auto kSurfaceMethods =
 constexpr bool InterpolatesNormals(Method method) { return method > Method::kQuadCosine; }
 // Methods that light every pixel; the others interpolate intensities.
 constexpr bool LightsPixels(Method method) { return method >= Method::kQuadCosine; }
-constexpr bool IsSpherical(Method method) { return method >= Method::kSlerp; }
+constexpr bool IsSpherical(Method method) {
+  return method >= Method::kSlerp && method != Method::kAdaptiveChord;
+}
+// Methods whose normals come from adaptive_normalizer, not from recurrences of normal_setup.
+constexpr bool IsAdaptive(Method method) { return method >= Method::kAdaptive; }
 // Methods that show the surface of paper 003 (2) and differ in how they compute a row.
 constexpr bool IsQuadRow(Method method) {
   return method >= Method::kQuad && method <= Method::kQuadDifference;
@@ -118,6 +127,7 @@ struct TriangleState {
   int origin_x = 0, origin_y = 0;  // first pixel of its first span, where x = y = 0
   DepthAcc dz_dx;                  // depth step per pixel
   int material = 0;                // methods that light every pixel
+  AngleLimit limit;                // adaptive methods
   std::array<Surface, kChannels> surface;        // intensity; quad-split: diffuse, no half code
   std::array<Surface, kChannels> specular;       // quad-split, no half code
   std::array<IntensityAcc, kChannels> ambient;   // quad-split, with the half code

@@ -131,6 +131,10 @@ void ShadingUnit::LightPixels(const SpanCommand& span, Pixel* pixels) {
     return LightSpan<kLanes>(QuadCosineShader<kLanes>(seed_.cosine), pixels);
   }
   SpanBinder::Bind(*triangle_, span, &seed_);
+  if (IsAdaptive(work_.method)) {
+    const AdaptiveSegment* begin = segments_.data();
+    return LightSpan<kLanes>(AdaptiveShader<kLanes>(begin, begin + segments_.size()), pixels);
+  }
   NormalSetup::Seed(SetupKindOf(work_.method), work_.light, span, kLanes, &seed_.normal);
   const NormalSeed& seed = seed_.normal;
   switch (work_.method) {
@@ -173,7 +177,21 @@ void ShadingUnit::ShadeIntensities(Pixel* pixels) const {
   }
 }
 
+// Into segments; returns the cycles of set-up.
+int ShadingUnit::Divide(const SpanCommand& span) {
+  AdaptiveNormalizer normalizer(AdaptiveKindOf(work_.method), span.normal, span.length,
+                                triangle_->limit);
+  segments_.clear();
+  AdaptiveSegment segment;
+  while (normalizer.Next(&segment)) segments_.push_back(segment);
+  counters_.normalised += normalizer.normalisations();
+  counters_.skipped += normalizer.skipped();
+  return normalizer.setup_cycles();
+}
+
 SpanTiming ShadingUnit::Span(const SpanCommand& span, Pixel* pixels) {
+  const bool adaptive = IsAdaptive(work_.method);
+  const int setup_cycles = adaptive ? Divide(span) : 0;
   if (LightsPixels(work_.method)) {
     if (clock_.lanes() == 1) {
       LightPixels<1>(span, pixels);
@@ -184,7 +202,8 @@ SpanTiming ShadingUnit::Span(const SpanCommand& span, Pixel* pixels) {
     SpanSetup::Seed(work_.method, *triangle_, span, &seed_);
     ShadeIntensities(pixels);
   }
-  const SpanTiming timing = clock_.Span(span.length, span.y - row_, span.last);
+  const SpanTiming timing = adaptive ? clock_.AdaptiveSpan(setup_cycles, segments_, span.last)
+                                     : clock_.Span(span.length, span.y - row_, span.last);
   row_ = span.y;
   counters_.pixels += span.length;
   counters_.stall += timing.stall;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "model/frame_work.h"
 #include "model/light/pixel_light.h"
 #include "model/raster/span_setup.h"
@@ -17,10 +19,13 @@ struct Counters {
   int64_t setup = 0;         // cycles: no pixel on offer although a span was inside
   int64_t unlit = 0;         // pixels with N.L <= 0; methods that interpolate normals
   int64_t no_highlight = 0;  // pixels whose power was not computed; the same
+  int64_t normalised = 0;    // normalisations of spans; adaptive methods
+  int64_t skipped = 0;       // pixels less those, span by span and not below 0; the same
 
   friend bool operator==(const Counters& a, const Counters& b) {
     return a.pixels == b.pixels && a.stall == b.stall && a.setup == b.setup && a.unlit == b.unlit &&
-           a.no_highlight == b.no_highlight;
+           a.no_highlight == b.no_highlight && a.normalised == b.normalised &&
+           a.skipped == b.skipped;
   }
 };
 
@@ -45,7 +50,9 @@ class ShadingUnit {
       : work_(work),
         paper_fraction_bits_(paper_fraction_bits),
         clock_(work.method, lanes, std::move(source), std::move(sink)),
-        light_(work.light) {}
+        light_(work.light) {
+    if (IsAdaptive(work.method)) segments_.reserve(kMaxScreen);
+  }
 
   // The triangle must outlive its spans.
   void Triangle(const TriangleState& triangle) {
@@ -60,9 +67,10 @@ class ShadingUnit {
   // Shades one span of the current triangle into `pixels`, which must hold span.length of them.
   SpanTiming Span(const SpanCommand& span, Pixel* pixels);
 
-  // The cycle in which pixel i of a span left.
+  // The cycle in which pixel i of the latest span left.
   int64_t CycleOf(const SpanTiming& timing, int i) const {
     const int64_t group = clock_.lanes() == 1 ? i : i / clock_.lanes();
+    if (IsAdaptive(work_.method)) return clock_.LeftOf(group);
     return clock_.sink().always() ? timing.first_valid + group
                                   : clock_.sink().Select(timing.sink_rank + group);
   }
@@ -71,6 +79,7 @@ class ShadingUnit {
   const Counters& counters() const { return counters_; }
 
  private:
+  int Divide(const SpanCommand& span);
   template <int kLanes>
   void LightPixels(const SpanCommand& span, Pixel* pixels);
   void ShadeIntensities(Pixel* pixels) const;
@@ -83,6 +92,7 @@ class ShadingUnit {
   PixelLight light_;
   const TriangleState* triangle_ = nullptr;
   int row_ = 0;  // of the latest span
+  std::vector<AdaptiveSegment> segments_;  // likewise
   SpanSeed seed_;
   Counters counters_;
 };

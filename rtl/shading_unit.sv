@@ -111,6 +111,10 @@ module shading_unit
   kappa_t                                     kappa;
   kappa_t [1:0]                               step_kappa;
   arc_t                                       arc;      // slerp-direct
+  pixel_normal_t [Lanes-1:0][Components-1:0]  group;    // adaptive methods
+  logic                                       is_adaptive, group_valid, group_ready, count_valid;
+  span_length_t                               normalised, skipped;
+  assign is_adaptive = is_any_of(Methods, frame_q.method, AdaptiveMethods);
 
   if (HasNormal) begin : gen_normal_seeds
     normal_seeds #(.Methods(Methods & ~SurfaceMethods), .Lanes(Lanes)) u_normal_seeds (
@@ -131,24 +135,34 @@ module shading_unit
       .kappa_o         (kappa),
       .step_kappa_o    (step_kappa),
       .arc_o           (arc),
+      .group_valid_o   (group_valid),
+      .group_ready_i   (group_ready),
+      .group_o         (group),
+      .count_valid_o   (count_valid),
+      .normalised_o    (normalised),
+      .skipped_o       (skipped),
       .span_inside_o   (normal_inside),
       .busy_o          (normal_busy)
     );
   end else begin : gen_no_normal_seeds
     assign {normal_triangle_ready, normal_span_ready, normal_valid} = '0;
     assign {normal_busy, normal_inside, lit_run, quantity, length, kappa, step_kappa, arc} = '0;
+    assign {group_valid, group, count_valid, normalised, skipped} = '0;
   end
 
   ////////////
   // Pixels //
   ////////////
 
-  logic                         load, step, walker_valid, walker_ready, queue_ready;
+  logic                         load, step, walker_valid, walker_ready, queue_ready, enter_valid;
   run_t                         run;
   position_t [Lanes-1:0]        position;
   logic      [Lanes-1:0]        mask;
   assign run          = is_normal ? lit_run.run : seed.run;
-  assign walker_ready = is_lit ? queue_ready : pixel_ready_i;
+  // The pixels of an adaptive method leave the walker together with their normals.
+  assign enter_valid  = walker_valid && is_lit && (!is_adaptive || group_valid);
+  assign group_ready  = is_adaptive && queue_ready;
+  assign walker_ready = is_lit ? queue_ready && (!is_adaptive || group_valid) : pixel_ready_i;
 
   pixel_walker #(.Lanes(Lanes)) u_pixel_walker (
     .clk_i, .rst_ni,
@@ -199,7 +213,8 @@ module shading_unit
       .step_kappa_i  (step_kappa),
       .arc_i         (arc),
       .cosine_i      (cosine),
-      .enter_valid_i (walker_valid && is_lit),
+      .group_i       (group),
+      .enter_valid_i (enter_valid),
       .enter_ready_o (queue_ready),
       .position_i    (position),
       .mask_i        (mask),
@@ -250,6 +265,9 @@ module shading_unit
     .mask_i        (pixel_mask_o),
     .unlit_i       (is_lit ? unlit : '0),
     .no_highlight_i(is_lit ? no_highlight : '0),
+    .count_i       (count_valid),
+    .normalised_i  (normalised),
+    .skipped_i     (skipped),
     .counters_o
   );
 
@@ -260,6 +278,7 @@ module shading_unit
     if (take_frame) begin
       assert (Methods[frame_i.method]) else $error("shading_unit: method is not in this build");
     end
+    assert (!group_valid || walker_valid) else $error("shading_unit: normals without a pixel");
     if (material_valid_i) begin
       assert (frame_ready_o) else $error("shading_unit: a material changes while spans are inside");
     end

@@ -39,13 +39,13 @@ const recurrences = [...rows.filter((name) => !['quad_polynomial', 'quad_horner'
 const units = ['flat_color', 'gouraud_interpolator', ...rows, 'quad_cosine', 'lane_seed', 'pixel_walker',
   'span_setup', 'span_binder', 'normal_setup', 'linear_recurrence', 'slerp_recurrence', 'slerp_paper',
   'length_recurrence', 'slerp_direct_setup', 'slerp_direct', 'reciprocal_sqrt', 'phong_direct',
-  'taylor_normalizer', 'duff_normalizer', 'dot_product', 'pixel_light', 'pixel_queue',
-  'aniso_footprint', 'footprint_mean'];
+  'taylor_normalizer', 'duff_normalizer', 'adaptive_normalizer', 'aniso_footprint', 'footprint_mean',
+  'dot_product', 'pixel_light', 'pixel_queue'];
 // One build per method: bit k of Methods is method k of method_e.
 const methods = ['flat', 'gouraud', 'quad', 'quad-polynomial', 'quad-horner', 'quad-step',
   'quad-midpoint', 'quad-three-term', 'quad-third-difference', 'quad-segment', 'quad-difference',
   'quad-split', 'quad-cosine', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
-  'slerp-paper', 'slerp-intensity', 'slerp-direct'];
+  'slerp-paper', 'slerp-intensity', 'slerp-direct', 'adaptive', 'adaptive-paper', 'adaptive-chord'];
 const tops = [...units.map((name) => [name]),
   ...methods.map((name, k) => ['shading_unit', `${methods.length}'d${2 ** k}`, name])];
 console.log('| unit | method | LUT4 | flip-flops | carry cells | 18x18 multipliers |');
@@ -56,4 +56,14 @@ for (const [top, built, method] of tops) {
   console.log(`| ${top} | ${method ?? ''} | ${cells.join(' | ')} |`);
   if (recurrences.includes(top) && cells[3] !== 0) throw new Error(`${top} has a multiplier`);
   if (cells[1] === 0 && top !== 'lane_seed') throw new Error(`${top}: no registers found; the log has changed its form`);
+}
+
+// Longest path of a row form: from register to register in levels of 4-input tables, without carry chains,
+// so that adders count as logic.
+console.log('\n| unit | longest path, LUT4 levels |\n|---|--:|');
+for (const top of ['flat_color', 'gouraud_interpolator', ...rows, 'quad_cosine']) {
+  const log = await yosys(top, '', 'synth -flatten -lut 4; ltp -noff');
+  const path = log.match(/Longest topological path in \S+ \(length=(\d+)\)/);
+  if (!path) throw new Error(`${top}: no longest path found; the log has changed its form`);
+  console.log(`| ${top} | ${path[1]} |`);
 }

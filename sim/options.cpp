@@ -62,8 +62,9 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
   command->add_option("--lanes", w->lanes, "pixels per cycle: 1 or 4")
       ->check(CLI::IsMember({1, 4}));
   command
-      ->add_option("--tolerance", w->tolerance,
-                   "codes that quad-segment and --subdivide may spend, 0..15.99")
+      ->add_option(
+          "--tolerance", w->tolerance,
+          "codes that quad-segment, the adaptive methods and --subdivide may spend, 0..15.99")
       ->check(CLI::Range(0.0, 15.99))
       ->capture_default_str();
   command

@@ -53,6 +53,8 @@ Json ToJson(const RunStats& run) {
                      {"empty", run.skipped.empty}};
   json["unlit"] = run.counters.unlit;
   json["no_highlight"] = run.counters.no_highlight;
+  json["normalised"] = run.counters.normalised;
+  json["normalisations_skipped"] = run.counters.skipped;
   json["split_spans"] = run.split_spans;
   json["over_limit_triangles"] = run.over_limit;
   json["pieces"] = run.pieces;
@@ -128,6 +130,8 @@ void RunStats::Add(const RunStats& other) {
   counters.stall += other.counters.stall;
   counters.unlit += other.counters.unlit;
   counters.no_highlight += other.counters.no_highlight;
+  counters.normalised += other.counters.normalised;
+  counters.skipped += other.counters.skipped;
   split_spans += other.split_spans;
   over_limit += other.over_limit;
   pieces += other.pieces;
@@ -178,6 +182,10 @@ std::string Summary(const RunStats& run) {
   if (run.counters.unlit + run.counters.no_highlight + run.split_spans > 0) {
     text += fmt::format("\n  {} pixels unlit, {} without highlight, {} spans split",
                         run.counters.unlit, run.counters.no_highlight, run.split_spans);
+  }
+  if (run.counters.normalised + run.counters.skipped > 0) {
+    text += fmt::format("\n  {} normalisations, {} skipped", run.counters.normalised,
+                        run.counters.skipped);
   }
   if (run.over_limit > 0) {
     text += fmt::format("\n  {} triangles turn too far for the tolerance{}", run.over_limit,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/rtl_shading_unit.h"
 
+#include "Vshading_unit_adaptive.h"
+#include "Vshading_unit_adaptive___024root.h"
 #include "Vshading_unit_all.h"
 #include "Vshading_unit_all___024root.h"
 #include "Vshading_unit_all_x4.h"
@@ -58,6 +60,9 @@ std::unique_ptr<RtlShadingUnit> RtlShadingUnit::Create(Method method, int lanes)
     case Method::kSlerpPaper: return OneLane<Vshading_unit_slerp_paper>();
     case Method::kSlerpIntensity: return OneLane<Vshading_unit_slerp_intensity>();
     case Method::kSlerpDirect: return OneLane<Vshading_unit_slerp_direct>();
+    case Method::kAdaptive:
+    case Method::kAdaptivePaper:
+    case Method::kAdaptiveChord: return OneLane<Vshading_unit_adaptive>();
     default: return OneLane<Vshading_unit_quad_forms>();
   }
 }

@@ -211,16 +211,30 @@ bool AdaptiveNormalizer::Next(AdaptiveSegment* segment) {
   }
 }
 
-AngleLimit AdaptiveNormalizer::LimitOf(Tolerance tolerance, Shininess shininess, bool specular) {
-  constexpr int64_t kOne = int64_t{1} << Shininess::kFraction;
+// 2 t (2 s - t) / s^2 with s = 255 2^12.
+AngleLimit AdaptiveNormalizer::DiffuseLimit(Tolerance tolerance) {
   constexpr int64_t kFullScale = int64_t{255} << Tolerance::kFraction;
   const int64_t t = tolerance.raw();
-  if (!specular || shininess.raw() == kOne) {
-    // 2 t (2 s - t) / s^2 with s = 255 2^12.
-    return AngleLimit::FromRaw((2 * t * (2 * kFullScale - t) << 6) / (255 * 255));
+  return AngleLimit::FromRaw((2 * t * (2 * kFullScale - t) << 6) / (255 * 255));
+}
+
+// 4 t / (s n), or t / (s n), with n of 7 fraction bits.
+AngleLimit AdaptiveNormalizer::SpecularLimit(Tolerance tolerance, Shininess shininess,
+                                             Lighting lighting) {
+  constexpr int64_t kOne = int64_t{1} << Shininess::kFraction;
+  if (lighting == Lighting::kPhong) {
+    return AngleLimit::FromRaw((tolerance.raw() << 25) / (255 * shininess.raw()));
   }
-  // 4 t / (s n) with n of 7 fraction bits.
-  return AngleLimit::FromRaw((t << 27) / (255 * std::max(2 * kOne, shininess.raw())));
+  if (shininess.raw() == kOne) return DiffuseLimit(tolerance);
+  return AngleLimit::FromRaw((tolerance.raw() << 27) / (255 * std::max(2 * kOne, shininess.raw())));
+}
+
+AngleLimit AdaptiveNormalizer::LimitOf(Tolerance tolerance, Shininess shininess, bool specular,
+                                       Lighting lighting) {
+  const AngleLimit diffuse = DiffuseLimit(tolerance);
+  if (!specular) return diffuse;
+  return AngleLimit::FromRaw(
+      std::min(diffuse.raw(), SpecularLimit(tolerance, shininess, lighting).raw()));
 }
 
 PixelNormal AdaptiveNormalizer::Rounded(const std::array<Quantity, 3>& normal) {

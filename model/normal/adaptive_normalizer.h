@@ -18,9 +18,6 @@ enum class AdaptiveKind {
   kChord      // normalised points of the chord: Phong
 };
 
-// 1 - cos of the largest angle between two normals that are joined by a straight line.
-using AngleLimit = U<0, 30>;
-
 // Pixels between two normalised normals: N(i) = first + i difference.
 struct AdaptiveSegment {
   std::array<Quantity, 3> first;       // at its first pixel
@@ -79,12 +76,18 @@ class AdaptiveNormalizer {
     return normalisations_ < length() ? length() - normalisations_ : 0;
   }
 
-  // The limit that keeps a full-scale component within `tolerance` codes, rounded down. With
+  // The limits that keep a full-scale component within `tolerance` codes, rounded down. With
   // delta = 1 - cos(eta / 2), of an angle eta:
-  //   N.L       delta <= tol                1 - cos(eta) <= 4 tol - 2 tol^2
-  //   (N.H)^n   n (1 - cos eta) / 4 <= tol  for n >= 2; below 2 the error is less than with 2
-  // A material without specular reflectance has only the first.
-  static AngleLimit LimitOf(Tolerance tolerance, Shininess shininess, bool specular);
+  //   diffuse    N.L       delta <= tol                1 - cos(eta) <= 4 tol - 2 tol^2
+  //   specular   (N.H)^n   n (1 - cos eta) / 4 <= tol  for n >= 2; 1 < n < 2 errs less than 2
+  //              (R.V)^n   n (1 - cos eta) <= tol      R.V = 2 (N.L)(N.V) - L.V has |N|^2
+  static AngleLimit DiffuseLimit(Tolerance tolerance);
+  static AngleLimit SpecularLimit(Tolerance tolerance, Shininess shininess,
+                                  Lighting lighting = Lighting::kBlinn);
+  // The smaller one: both cosines of a pixel come from one normal. A material without specular
+  // reflectance has only the first.
+  static AngleLimit LimitOf(Tolerance tolerance, Shininess shininess, bool specular,
+                            Lighting lighting = Lighting::kBlinn);
 
   // S1.38 -> S1.24: rounds halves up, saturates.
   static PixelNormal Rounded(const std::array<Quantity, 3>& normal);

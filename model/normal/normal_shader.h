@@ -3,6 +3,7 @@
 
 #include "model/light/dot_product.h"
 #include "model/light/quad_cosine.h"
+#include "model/normal/adaptive_normalizer.h"
 #include "model/normal/duff_normalizer.h"
 #include "model/normal/length_recurrence.h"
 #include "model/normal/linear_recurrence.h"
@@ -235,6 +236,47 @@ class SlerpIntensityShader {
   std::array<SlerpRecurrence, kLanes> n_dot_l_, n_dot_h_or_v_;
 };
 
+// adaptive, adaptive-paper, adaptive-chord: straight lines between normals.
+template <int kLanes>
+class AdaptiveShader {
+ public:
+  static constexpr int kLatency = DotProduct::kContract.latency_cycles;
+
+  AdaptiveShader(const AdaptiveSegment* begin, const AdaptiveSegment* end)
+      : segment_(begin), end_(end) {
+    Step();
+  }
+  LightCosines At(size_t lane, const LightState& light) const {
+    return CosinesOf(normal_[lane], light);
+  }
+  void Step() {
+    for (PixelNormal& normal : normal_) {
+      if (left_ == 0 && !Load()) return;
+      --left_;
+      for (size_t c = 0; c < 3; ++c) {
+        normal[c] = RoundPixelNormal(value_[c]);
+        value_[c] = Quantity::Wrap(value_[c].raw() + difference_[c].raw());
+      }
+    }
+  }
+
+ private:
+  bool Load() {
+    if (segment_ == end_) return false;
+    left_ = segment_->count;
+    value_ = segment_->first;
+    difference_ = segment_->difference;
+    ++segment_;
+    return true;
+  }
+
+  const AdaptiveSegment* segment_;
+  const AdaptiveSegment* end_;
+  int left_ = 0;  // pixels of the segment
+  std::array<Quantity, 3> value_, difference_;
+  std::array<PixelNormal, kLanes> normal_;
+};
+
 // Cycles from the walker to the cosines.
 constexpr int CosineLatency(Method method) {
   switch (method) {
@@ -244,8 +286,17 @@ constexpr int CosineLatency(Method method) {
     case Method::kSlerp: return SlerpShader<1>::kLatency;
     case Method::kSlerpPaper: return SlerpPaperShader<1>::kLatency;
     case Method::kSlerpDirect: return SlerpDirectShader<1>::kLatency;
+    case Method::kAdaptive:
+    case Method::kAdaptivePaper:
+    case Method::kAdaptiveChord: return AdaptiveShader<1>::kLatency;
     default: return 0;
   }
+}
+
+constexpr AdaptiveKind AdaptiveKindOf(Method method) {
+  return method == Method::kAdaptivePaper   ? AdaptiveKind::kExtended
+         : method == Method::kAdaptiveChord ? AdaptiveKind::kChord
+                                            : AdaptiveKind::kSphere;
 }
 
 constexpr SetupKind SetupKindOf(Method method) {

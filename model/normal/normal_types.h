@@ -13,6 +13,7 @@ using SpanNormalComponent = S<1, 30>;
 using SpanNormal = std::array<SpanNormalComponent, 3>;  // normal at an end of a span
 using Quantity = S<1, 38>;                              // component or cosine, in a recurrence
 using LengthSquare = S<1, 44>;                          // |N|^2 of linearly interpolated normals
+using AngleLimit = U<0, 30>;  // 1 - cos of the largest angle that a straight line may span
 
 inline constexpr int kMaxLanes = 4;
 

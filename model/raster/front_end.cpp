@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/raster/front_end.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
+#include "model/normal/adaptive_normalizer.h"
 #include "model/normal/span_normals.h"
 #include "model/raster/span_walker.h"
 #include "model/raster/turn_limit.h"
@@ -19,6 +21,14 @@ void Count(Verdict verdict, SkipCounts* skipped) {
     case Verdict::kOffScreen: ++skipped->off_screen; break;
     case Verdict::kEmpty: ++skipped->empty; break;
   }
+}
+
+// What adaptive_normalizer may leave unnormalised.
+AngleLimit LimitOf(const Material& material, Tolerance tolerance, Lighting lighting) {
+  const bool specular =
+      std::any_of(material.specular.begin(), material.specular.end(),
+                  [](const Reflectance reflectance) { return reflectance.raw() > 0; });
+  return AdaptiveNormalizer::LimitOf(tolerance, material.shininess, specular, lighting);
 }
 
 }  // namespace
@@ -56,31 +66,35 @@ FrameWork FrontEnd::Begin() const {
 }
 
 void FrontEnd::Add(const TrianglePacket& packet, uint32_t index, FrameWork* work) const {
-  const bool too_far =
-      !subdivision_.empty() &&
-      subdivision_[static_cast<size_t>(packet.material)].TurnsTooFar(packet);
-  if (!too_far) return AddWhole(packet, index, work);
-  ++work->over_limit;
-  if (options_.subdivide == Subdivide::kReport) return AddWhole(packet, index, work);
-  std::vector<TrianglePacket> pieces;
-  subdivision_[static_cast<size_t>(packet.material)].Split(packet, &pieces);
-  work->pieces += static_cast<int64_t>(pieces.size());
-  for (const TrianglePacket& piece : pieces) AddWhole(piece, index, work);
-}
-
-void FrontEnd::AddWhole(const TrianglePacket& packet, uint32_t index, FrameWork* work) const {
   TriangleGeometry geometry;
   const Verdict verdict = TriangleSetup::Setup(packet, frame_, &geometry);
-  Count(verdict, &work->skipped);
-  if (verdict != Verdict::kDraw) return;
+  if (verdict != Verdict::kDraw) return Count(verdict, &work->skipped);
+  const Subdivision* subdivision =
+      subdivision_.empty() ? nullptr : &subdivision_[static_cast<size_t>(packet.material)];
+  const bool too_far = subdivision != nullptr && subdivision->TurnsTooFar(packet);
+  work->over_limit += too_far;
+  bool drawn = false;
+  if (too_far && options_.subdivide == Subdivide::kSplit) {
+    std::vector<TrianglePacket> pieces;
+    subdivision->Split(packet, &pieces);
+    for (const TrianglePacket& piece : pieces) {
+      if (TriangleSetup::Setup(piece, frame_, &geometry) != Verdict::kDraw) continue;
+      const bool piece_drawn = Draw(piece, geometry, index, work);
+      work->pieces += piece_drawn;
+      drawn |= piece_drawn;
+    }
+  } else {
+    drawn = Draw(packet, geometry, index, work);
+  }
+  if (!drawn) Count(Verdict::kEmpty, &work->skipped);
+}
 
+bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geometry, uint32_t index,
+                    FrameWork* work) const {
   const size_t first = work->spans.size();
   const Plane depth = TriangleSetup::DepthPlane(geometry, packet);
   const int64_t pixels = SpanWalker::Walk(geometry, depth, &work->spans);
-  if (pixels == 0) {
-    Count(Verdict::kEmpty, &work->skipped);
-    return;
-  }
+  if (pixels == 0) return false;
 
   const SpanCommand origin = work->spans[first];
   TriangleState triangle;
@@ -88,6 +102,10 @@ void FrontEnd::AddWhole(const TrianglePacket& packet, uint32_t index, FrameWork*
   triangle.origin_y = origin.y;
   triangle.dz_dx = DepthAcc::Wrap(static_cast<int64_t>(depth.dx));
   triangle.material = packet.material;
+  if (IsAdaptive(method_)) {
+    triangle.limit = LimitOf(frame_.materials[static_cast<size_t>(packet.material)],
+                             options_.tolerance, frame_.lighting);
+  }
   if (InterpolatesNormals(method_)) {
     using Interpolation = SpanNormals::Interpolation;
     work->split_spans += SpanNormals::Attach(
@@ -99,6 +117,7 @@ void FrontEnd::AddWhole(const TrianglePacket& packet, uint32_t index, FrameWork*
   work->triangles.push_back(triangle);
   work->packet.push_back(index);
   work->pixels += pixels;
+  return true;
 }
 
 }  // namespace shading

@@ -19,7 +19,7 @@ struct FrontEndOptions {
 };
 
 // Triangle packets to the commands of the shading unit, integers only: set-up, span walk, vertex
-// lighting and surface fit. A triangle that covers no pixel is counted, and neither lit nor fitted.
+// lighting and surface fit. A packet that is not drawn is counted, and neither lit nor fitted.
 class FrontEnd {
  public:
   FrontEnd(const FrameState& frame, Method method, const FrontEndOptions& options = {});
@@ -35,7 +35,9 @@ class FrontEnd {
   void Add(const TrianglePacket& packet, uint32_t index, FrameWork* work) const;
 
  private:
-  void AddWhole(const TrianglePacket& packet, uint32_t index, FrameWork* work) const;
+  // False when it covers no pixel.
+  bool Draw(const TrianglePacket& packet, const TriangleGeometry& geometry, uint32_t index,
+            FrameWork* work) const;
 
   const FrameState& frame_;
   Method method_;

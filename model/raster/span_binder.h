@@ -9,8 +9,8 @@
 
 namespace shading {
 
-// Bit-exact and cycle model of rtl/raster/span_binder.sv: a span, and the depth step and the
-// material of its triangle. The unit holds one triangle.
+// Bit-exact and cycle model of rtl/raster/span_binder.sv: a span, and the depth step, the
+// material and the limit of its triangle. The unit holds one triangle.
 class SpanBinder {
  public:
   static constexpr UnitContract kContract = {"span_binder",
@@ -22,7 +22,7 @@ class SpanBinder {
                                              0,
                                              "spans in the order of their triangles"};
 
-  // The normals of the span pass unchanged beside the run.
+  // The normals of the span and the limit of the triangle pass unchanged beside the run.
   static void Bind(const TriangleState& triangle, const SpanCommand& span, SpanSeed* run) {
     run->x = span.x;
     run->y = span.y;

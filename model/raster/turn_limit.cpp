@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shading {
 namespace {
@@ -50,9 +51,13 @@ double TurnLimitDegrees(Method method, const Material& material, double toleranc
 
 int64_t TurnLimit(Method method, const Material& material, Tolerance tolerance) {
   constexpr double kRadians = 3.14159265358979323846 / 180;
-  const double angle = TurnLimitDegrees(method, material, tolerance.ToReal());
-  const double chord = 2 * std::sin(angle * kRadians / 2);
-  return static_cast<int64_t>(std::ceil(std::ldexp(chord * chord, 2 * NormalComponent::kFraction)));
+  const double degrees = TurnLimitDegrees(method, material, tolerance.ToReal());
+  if (degrees >= 180) return std::numeric_limits<int64_t>::max();
+  const double angle = std::floor(degrees * 1024) / 1024;
+  const double half_chord = std::sin(angle * kRadians / 2);
+  // 4 sin^2 of half the angle in 2^-28, as 2^-44.
+  constexpr int kFine = 2 * NormalComponent::kFraction - 28;
+  return static_cast<int64_t>(std::ldexp(half_chord * half_chord, 30)) << kFine;
 }
 
 }  // namespace shading

@@ -71,7 +71,7 @@ depth is the word at `DEPTH_BASE` + y `DEPTH_STRIDE` + 4 x: U0.24, upper byte 0.
 0xffffffff.
 
 ## Counters
-`PIXELS` to `SKIPPED_EMPTY` belong to the latest complete frame and change when BUSY falls.
+`PIXELS` to `NORMALISED_SKIPPED` belong to the latest complete frame and change when BUSY falls.
 )";
 
 constexpr std::string_view Letters(Access access) {

@@ -220,6 +220,8 @@ void ShadingDevice::SetCounters(const CoreResult& result, uint64_t written) {
   set(OffsetOf("SKIPPED_DEGENERATE"), frame_work_.skipped.degenerate);
   set(OffsetOf("SKIPPED_OFF_SCREEN"), frame_work_.skipped.off_screen);
   set(OffsetOf("SKIPPED_EMPTY"), frame_work_.skipped.empty);
+  set(OffsetOf("NORMALISED"), result.counters.normalised);
+  set(OffsetOf("NORMALISED_SKIPPED"), result.counters.skipped);
 }
 
 // Also wakes a writer that nobody makes room for any more.

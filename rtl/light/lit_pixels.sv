@@ -37,6 +37,7 @@ module lit_pixels
   input  kappa_t [1:0]                               step_kappa_i,
   input  arc_t                                       arc_i,
   input  curve_seed_t [Cosines-1:0]                  cosine_i,
+  input  pixel_normal_t [Lanes-1:0][Components-1:0]  group_i,   // adaptive methods, from the walker
 
   // From the walker.
   input  logic                  enter_valid_i,
@@ -62,7 +63,7 @@ module lit_pixels
 
   normal_shader #(.Methods(Methods), .Lanes(Lanes)) u_normal_shader (
     .clk_i, .rst_ni, .method_i, .light_i,
-    .load_i, .step_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i, .cosine_i,
+    .load_i, .step_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i, .cosine_i, .group_i,
     .valid_i  (enter_valid_i && enter_ready_o),
     .valid_o  (cosines_valid),
     .cosines_o(cosines)

@@ -109,11 +109,13 @@ module adaptive_normalizer_divide
   logic                       chord_left, chord_right;     // its ends arrive
   logic  signed [33:0]        divisor;
   node_t                      chord_node;
-  assign divisor = signed'({1'b0, span_q.divisor[level_q]});
+  logic                       halve;        // else the factors rest at 0
+  assign halve   = busy_q && inner && !is_chord;
+  assign divisor = halve ? signed'({1'b0, span_q.divisor[level_q]}) : '0;
   for (genvar i = 0; i < Components; i++) begin : gen_middle
     logic signed [32:0] sum;
     logic signed [66:0] product;
-    assign sum           = 33'(signed'(left_q[i])) + 33'(signed'(top.normal[i]));
+    assign sum           = halve ? 33'(signed'(left_q[i])) + 33'(signed'(top.normal[i])) : '0;
     assign product       = 67'(sum) * 67'(divisor);
     assign chord_node[i] = {point_i[i], 6'd0};
     assign middle[i]     = is_chord ? chord_node[i]

@@ -3,9 +3,11 @@
 // Seeds of the methods that interpolate normals or cosines.
 //
 //   triangle, span -> span_binder -> normal_setup (-> slerp_direct_setup, slerp-direct only) -> seed
+//                                 -> adaptive_normalizer -> run, normals of the pixels
 //
-// Timing    A span every 8 cycles; latency that of the units on the way.
-// Streams   ready/valid; a payload holds until taken.
+// Timing    A span every 8 cycles, adaptive methods as their unit; latency that of the units.
+// Streams   ready/valid; a payload holds until taken. The run of an adaptive method is a pulse: its
+//           pixels follow, and the walker is free because theirs have left.
 // Formats   normal_pkg.
 // Error     That of the units on the way.
 // Model     LightPixels in model/shading_unit.cpp      Doc  docs/units/shading_unit.md
@@ -39,12 +41,21 @@ module normal_seeds
   output kappa_t [1:0]                               step_kappa_o,
   output arc_t                                       arc_o,          // slerp-direct
 
+  // Adaptive methods: the normals of the walker's pixels, group by group.
+  output logic                                       group_valid_o,
+  input  logic                                       group_ready_i,
+  output pixel_normal_t [Lanes-1:0][Components-1:0]  group_o,
+  output logic                                       count_valid_o,  // once a span
+  output span_length_t                               normalised_o,
+  output span_length_t                               skipped_o,
+
   output logic      span_inside_o,   // a span is being set up or waits as a seed
   output logic      busy_o           // a triangle or a span is inside
 );
   logic                               run_valid, run_ready, binder_busy;
   lit_run_t                           run;
   span_normal_t [1:0][Components-1:0] normal;
+  angle_limit_t                       limit;
 
   span_binder u_span_binder (
     .clk_i, .rst_ni,
@@ -54,6 +65,7 @@ module normal_seeds
     .run_ready_i(run_ready),
     .run_o      (run),
     .normal_o   (normal),
+    .limit_o    (limit),
     .busy_o     (binder_busy)
   );
 
@@ -68,23 +80,61 @@ module normal_seeds
     length:    is_method(Methods, method_i, MethodPhongDuff)};
 
   logic     is_direct, recurrence_valid, recurrence_busy, direct_valid, direct_ready, direct_busy;
-  lit_run_t recurrence_run, direct_run;
-  assign is_direct = is_method(Methods, method_i, MethodSlerpDirect);
+  logic     is_adaptive, recurrence_ready, adaptive_valid, adaptive_ready, adaptive_busy;
+  lit_run_t recurrence_run, direct_run, adaptive_run;
+  assign is_direct   = is_method(Methods, method_i, MethodSlerpDirect);
+  assign is_adaptive = is_any_of(Methods, method_i, AdaptiveMethods);
+  assign run_ready   = is_adaptive ? adaptive_ready : recurrence_ready;
 
-  normal_setup #(.Lanes(Lanes)) u_normal_setup (
-    .clk_i, .rst_ni,
-    .kind_i      (kind),
-    .light_i,
-    .span_valid_i(run_valid),
-    .span_ready_o(run_ready),
-    .run_i       (run),
-    .normal_i    (normal),
-    .seed_valid_o(recurrence_valid),
-    .seed_ready_i(is_direct ? direct_ready : seed_ready_i),
-    .run_o       (recurrence_run),
-    .quantity_o, .length_o, .kappa_o, .step_kappa_o,
-    .busy_o      (recurrence_busy)
-  );
+  if (|(Methods & ~AdaptiveMethods)) begin : gen_normal_setup
+    normal_setup #(.Lanes(Lanes)) u_normal_setup (
+      .clk_i, .rst_ni,
+      .kind_i      (kind),
+      .light_i,
+      .span_valid_i(run_valid && !is_adaptive),
+      .span_ready_o(recurrence_ready),
+      .run_i       (run),
+      .normal_i    (normal),
+      .seed_valid_o(recurrence_valid),
+      .seed_ready_i(is_direct ? direct_ready : seed_ready_i),
+      .run_o       (recurrence_run),
+      .quantity_o, .length_o, .kappa_o, .step_kappa_o,
+      .busy_o      (recurrence_busy)
+    );
+  end else begin : gen_no_normal_setup
+    assign {recurrence_ready, recurrence_valid, recurrence_busy, recurrence_run} = '0;
+    assign {quantity_o, length_o, kappa_o, step_kappa_o} = '0;
+  end
+
+  if (|(Methods & AdaptiveMethods)) begin : gen_adaptive
+    adaptive_kind_e adaptive_kind;
+    assign adaptive_kind = is_method(Methods, method_i, MethodAdaptivePaper) ? AdaptiveExtended
+                         : is_method(Methods, method_i, MethodAdaptiveChord) ? AdaptiveChord
+                         : AdaptiveSphere;
+    logic [Lanes-1:0] mask;  // the walker's
+    logic             last;
+    adaptive_normalizer #(.Lanes(Lanes)) u_adaptive_normalizer (
+      .clk_i, .rst_ni,
+      .kind_i       (adaptive_kind),
+      .span_valid_i (run_valid && is_adaptive),
+      .span_ready_o (adaptive_ready),
+      .run_i        (run),
+      .normal_i     (normal),
+      .limit_i      (limit),
+      .run_valid_o  (adaptive_valid),
+      .run_o        (adaptive_run),
+      .pixel_valid_o(group_valid_o),
+      .pixel_ready_i(group_ready_i),
+      .normal_o     (group_o),
+      .mask_o       (mask),
+      .last_o       (last),
+      .count_valid_o, .normalised_o, .skipped_o,
+      .busy_o       (adaptive_busy)
+    );
+  end else begin : gen_no_adaptive
+    assign {adaptive_ready, adaptive_valid, adaptive_run, adaptive_busy} = '0;
+    assign {group_valid_o, group_o, count_valid_o, normalised_o, skipped_o} = '0;
+  end
 
   // Starts from the seeds of one pixel's stride, whatever the lanes.
   if (Methods[MethodSlerpDirect]) begin : gen_direct_setup
@@ -111,8 +161,14 @@ module normal_seeds
     assign {direct_ready, direct_run, direct_valid, direct_busy, arc_o} = '0;
   end
 
-  assign seed_valid_o  = is_direct ? direct_valid : recurrence_valid;
-  assign run_o         = is_direct ? direct_run : recurrence_run;
-  assign span_inside_o = recurrence_busy || direct_busy;
+  assign seed_valid_o  = is_adaptive ? adaptive_valid : is_direct ? direct_valid : recurrence_valid;
+  assign run_o         = is_adaptive ? adaptive_run : is_direct ? direct_run : recurrence_run;
+  assign span_inside_o = recurrence_busy || direct_busy || adaptive_busy;
   assign busy_o        = binder_busy || span_inside_o;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    assert (!adaptive_valid || seed_ready_i) else $error("normal_seeds: the walker is not free");
+  end
+`endif
 endmodule

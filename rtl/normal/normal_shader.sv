@@ -10,6 +10,7 @@
 //   slerp-paper      slerp_paper x 3                            -> dot_product x 2
 //   slerp-direct     slerp_direct                               -> dot_product x 2
 //   slerp-intensity  slerp_recurrence x 2
+//   adaptive, -paper, -chord   normals from adaptive_normalizer -> dot_product x 2
 //
 // Timing    The recurrences march with the walker: 1 cycle from load_i to the first pixels. From
 //           valid_i, in whose cycle the pixels leave the walker, to valid_o: 0 cycles for
@@ -38,6 +39,7 @@ module normal_shader
   input  kappa_t [1:0]                               step_kappa_i,  // of one and of two pixels
   input  arc_t                                       arc_i,
   input  curve_seed_t [Cosines-1:0]                  cosine_i,
+  input  pixel_normal_t [Lanes-1:0][Components-1:0]  group_i,       // adaptive, with valid_i
 
   input  logic                 valid_i,
   output logic                 valid_o,
@@ -52,13 +54,15 @@ module normal_shader
   localparam bit HasIntensity = Methods[MethodSlerpIntensity];
   localparam bit HasLinearVector = HasPhong || HasTaylor;
   localparam bit HasDirect = Methods[MethodSlerpDirect];
-  localparam bit HasVector = HasLinearVector || HasSlerp || HasPaper || HasDirect;
+  localparam bit HasAdaptive = |(Methods & AdaptiveMethods);
+  localparam bit HasVector = HasLinearVector || HasSlerp || HasPaper || HasDirect || HasAdaptive;
   // Quantities that each kind of recurrence interpolates.
   localparam int unsigned LinearQuantities = HasLinearVector ? 3 : HasDuff ? 2 : 0;
   localparam int unsigned SlerpQuantities = HasSlerp ? 3 : HasIntensity ? 2 : 0;
 
   logic is_phong, is_taylor, is_duff, is_slerp, is_paper, is_intensity, is_linear, is_reinsch;
-  logic is_direct, is_cosine;
+  logic is_direct, is_cosine, is_adaptive;
+  assign is_adaptive  = is_any_of(Methods, method_i, AdaptiveMethods);
   assign is_cosine    = is_method(Methods, method_i, MethodQuadCosine);
   assign is_direct    = is_method(Methods, method_i, MethodSlerpDirect);
   assign is_phong     = is_method(Methods, method_i, MethodPhong);
@@ -150,10 +154,12 @@ module normal_shader
       for (genvar c = 0; c < Components; c++) begin : gen_component
         assign slerp_normal[c] = to_pixel_normal(is_paper ? paper[c][lane] : reinsch[c][lane]);
         assign normal[c] = is_phong ? phong_normal[c] : is_taylor ? taylor_normal[c]
-                         : is_direct ? direct_normal[c] : slerp_normal[c];
+                         : is_direct ? direct_normal[c] : is_adaptive ? group_i[lane][c]
+                         : slerp_normal[c];
       end
       assign vector_valid = is_phong ? phong_valid : is_taylor ? taylor_valid
-                          : is_direct ? direct_valid : valid_i && (is_slerp || is_paper);
+                          : is_direct ? direct_valid
+                          : valid_i && (is_slerp || is_paper || is_adaptive);
 
       logic dot_h_valid;  // the same as dot_valid
       dot_product u_n_dot_l (

@@ -35,11 +35,14 @@ package shading_pkg;
     MethodSlerp               = 5'd16,
     MethodSlerpPaper          = 5'd17,
     MethodSlerpIntensity      = 5'd18,
-    MethodSlerpDirect         = 5'd19
+    MethodSlerpDirect         = 5'd19,
+    MethodAdaptive            = 5'd20,
+    MethodAdaptivePaper       = 5'd21,
+    MethodAdaptiveChord       = 5'd22
   } method_e;
 
   // Which methods a build contains: bit k stands for the method with value k.
-  localparam int unsigned NumMethods = 20;
+  localparam int unsigned NumMethods = 23;
   typedef logic [NumMethods-1:0] methods_t;
   localparam methods_t AllMethods = '1;
   function automatic methods_t method_bit(method_e method);
@@ -47,9 +50,11 @@ package shading_pkg;
   endfunction
 
   // Methods that interpolate along a surface, by span_setup; the others interpolate normals.
-  localparam methods_t SurfaceMethods = 20'h01fff;
+  localparam methods_t SurfaceMethods = 23'h001fff;
   // Methods that light every pixel, by lit_pixels; the others interpolate intensities.
-  localparam methods_t LitMethods = 20'hff000;
+  localparam methods_t LitMethods = 23'h7ff000;
+  // Methods whose normals come from adaptive_normalizer, not from recurrences of normal_setup.
+  localparam methods_t AdaptiveMethods = 23'h700000;
   // Surfaces of second order whose spans start from differences of rows.
   localparam methods_t PointMethods = method_bit(MethodQuadPolynomial) | method_bit(MethodQuadHorner);
   localparam methods_t RowMethods = SurfaceMethods & ~PointMethods & ~method_bit(MethodFlat) &
@@ -104,6 +109,7 @@ package shading_pkg;
     coord_t                  origin_y;
     depth_acc_t              dz_dx;          // depth step per pixel
     material_index_t         material;       // methods that light every pixel
+    angle_limit_t            limit;          // adaptive methods
     cosine_surface_t [Cosines-1:0]  cosine;  // quad-cosine
     intensity_acc_t  [Channels-1:0] ambient; // quad-split: with the half code
     surface_t        [Channels-1:0] specular; // quad-split
@@ -186,6 +192,8 @@ package shading_pkg;
     logic [31:0] setup;                      // cycles: no pixel on offer although a span was inside
     logic [31:0] unlit;                      // pixels with N.L <= 0; normal methods
     logic [31:0] no_highlight;               // pixels whose power was not computed; normal methods
+    logic [31:0] normalised;                 // normalisations; adaptive methods
+    logic [31:0] skipped;                    // pixels less those, span by span; adaptive methods
   } counters_t;
 
   // S9.26 -> U8.0: truncates the fraction, clamps to 0..255.

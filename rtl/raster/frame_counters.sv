@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Performance counters of one frame: pixels that left, cycles in which they waited, cycles in which
-// none was on offer although a span was inside, and pixels that needed less light.
+// none was on offer although a span was inside, pixels that needed less light, and normalisations.
 //
 // Timing    Counts at the end of each cycle.
 // Formats   32-bit counters; they wrap.
@@ -20,6 +20,9 @@ module frame_counters
   input  logic [Lanes-1:0] mask_i,          // pixels of the group on offer
   input  logic [Lanes-1:0] unlit_i,
   input  logic [Lanes-1:0] no_highlight_i,
+  input  logic             count_i,         // of a span: normalisations done and skipped
+  input  span_length_t     normalised_i,
+  input  span_length_t     skipped_i,
   output counters_t        counters_o
 );
   counters_t counters_q;
@@ -41,6 +44,10 @@ module frame_counters
       end
       if (offer_i && !take_i)   counters_q.stall <= counters_q.stall + 1'b1;
       if (!offer_i && inside_i) counters_q.setup <= counters_q.setup + 1'b1;
+      if (count_i) begin
+        counters_q.normalised <= counters_q.normalised + 32'(normalised_i);
+        counters_q.skipped    <= counters_q.skipped + 32'(skipped_i);
+      end
     end
   end
 endmodule

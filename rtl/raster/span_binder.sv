@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Binds each span to its triangle: adds the depth step and the material to the span's position.
+// Binds each span to its triangle: adds the depth step, the material and the limit of
+// adaptive_normalizer to the span's position.
 //
 // Timing    Combinational from span to run. A triangle is kept until its last span is taken; a span
 //           never passes before its triangle, and may pass in the cycle in which that comes.
@@ -28,6 +29,7 @@ module span_binder
   input  logic      run_ready_i,
   output lit_run_t  run_o,
   output span_normal_t [1:0][Components-1:0] normal_o,
+  output angle_limit_t                       limit_o,
 
   output logic      busy_o           // a triangle is inside
 );
@@ -36,6 +38,7 @@ module span_binder
   logic            triangle_valid_q;
   depth_acc_t      dz_dx_q, dz_dx;
   material_index_t material_q, material;
+  angle_limit_t    limit_q;
 
   logic take_triangle, take_last;
   assign take_last        = span_valid_i && span_ready_o && span_i.last;
@@ -55,6 +58,7 @@ module span_binder
     if (take_triangle) begin
       dz_dx_q    <= triangle_i.dz_dx;
       material_q <= triangle_i.material;
+      limit_q    <= triangle_i.limit;
     end
   end
 
@@ -63,4 +67,5 @@ module span_binder
   assign run_o    = '{run: '{x: span_i.x, y: span_i.y, length: span_i.length, z: span_i.z,
                              dz_dx: dz_dx}, material: material};
   assign normal_o = span_i.normal;
+  assign limit_o  = triangle_valid_q ? limit_q : triangle_i.limit;
 endmodule

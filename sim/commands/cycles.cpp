@@ -39,12 +39,14 @@ void ForEachSpan(const CyclesRun& run, const Visit& visit) {
 
 void WriteCsv(const std::string& path, const std::vector<CyclesRun>& runs) {
   AtomicFile file(path);
-  file.stream() << "triangle,y,x,length,method,cycles_rtl,cycles_model,setup,stall\n";
+  file.stream() << "triangle,y,x,length,method,cycles_rtl,cycles_model,setup,stall,"
+                   "normalised,skipped\n";
   for (const CyclesRun& run : runs) {
     ForEachSpan(run, [&](const SpanCommand& span, uint32_t packet, int64_t rtl, int64_t model,
                          const tb::SpanRecord& record) {
-      fmt::print(file.stream(), "{},{},{},{},{},{},{},{},{}\n", packet, span.y, span.x, span.length,
-                 Name(run.work.method), rtl, model, record.model.setup, record.model.stall);
+      fmt::print(file.stream(), "{},{},{},{},{},{},{},{},{},{},{}\n", packet, span.y, span.x,
+                 span.length, Name(run.work.method), rtl, model, record.model.setup,
+                 record.model.stall, record.normalised, record.skipped);
     });
   }
   file.Commit();

@@ -31,7 +31,10 @@ constexpr const char* kMethodText[] = {
     "spherical normal, paper 000 (7) as a scaled difference recurrence, lit at every pixel",
     "spherical normal, paper 000 (7); (9) to (11), corrected, with four lanes",
     "spherical N.L and N.H, paper 000 (14), as slerp: no vectors per pixel",
-    "spherical normal, paper 000 (6): sine and cosine of every pixel by a CORDIC"};
+    "spherical normal, paper 000 (6): sine and cosine of every pixel by a CORDIC",
+    "slerp's normals where it shows: bisection within --tolerance, lines between; paper 002",
+    "the same as printed: of the span extended to 2^k steps; misses its end",
+    "Phong's normals where it shows: normalised points of the chord, lines between"};
 
 void PrintTables() {
   fmt::print("Methods\n");
@@ -39,12 +42,12 @@ void PrintTables() {
     fmt::print("  {:22} {}\n", Name(method), kMethodText[static_cast<size_t>(method)]);
   }
   fmt::print(
-      "\nUnits: latency and initiation interval in cycles (0: not in hardware yet), "
+      "\nUnits: latency and initiation interval in cycles (0 and 0: front end, C++ only), "
       "error bound and where it holds\n");
   for (const UnitContract& unit : kContracts) {
-    fmt::print("  {:20} {:9} latency {} interval {} in: {}; out: {}\n", unit.name, unit.group,
+    fmt::print("  {:22} {:9} latency {} interval {} in: {}; out: {}\n", unit.name, unit.group,
                unit.latency_cycles, unit.interval_cycles, unit.input, unit.output);
-    fmt::print("  {:20} {:9} error <= {:.3g} ulp, {}\n", "", "", unit.max_error_ulp,
+    fmt::print("  {:22} {:9} error <= {:.8g} ulp, {}\n", "", "", unit.max_error_ulp,
                unit.valid_for);
   }
   fmt::print("\nBuilt-in scenes: builtin:NAME or builtin:NAME:N\n");

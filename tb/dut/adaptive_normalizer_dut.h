@@ -11,6 +11,7 @@
 
 #include "Vadaptive_normalizer.h"
 #include "Vadaptive_normalizer4.h"
+#include "Vadaptive_normalizer4_adaptive_normalizer.h"
 #include "Vadaptive_normalizer_adaptive_normalizer.h"
 #include "model/flow_pattern.h"
 #include "model/normal/adaptive_normalizer.h"
@@ -52,6 +53,8 @@ class AdaptiveNormalizerBuildDut {
     std::vector<Start> starts;
     std::vector<Group> groups;
     std::vector<Count> counts;
+    int64_t normaliser_starts = 0;  // of phong_direct
+    int64_t middle_changes = 0;     // cycles in which the products (Nl + Nr)/z move
     std::string failure;  // empty when every span left and the unit is empty
   };
 
@@ -110,12 +113,14 @@ class AdaptiveNormalizerBuildDut {
     int64_t idle = 0;  // cycles since the last group
     bool held = false;
     Group on_offer = {};
+    std::array<uint32_t, 3> middle = {};
   };
   void Observe(int64_t cycle, Watch* watch, Result* result) {
     if (top_->run_valid_o) result->starts.push_back({BitsOfRun(top_->run_o), cycle});
     if (top_->count_valid_o) {
       result->counts.push_back({top_->normalised_o, top_->skipped_o, cycle});
     }
+    ObserveActivity(watch, result);
     const bool valid = top_->pixel_valid_o;
     const Group group = valid ? Read(cycle) : Group{};
     if (watch->held && !(valid && Same(group, watch->on_offer))) {
@@ -132,6 +137,17 @@ class AdaptiveNormalizerBuildDut {
     if (watch->idle > kDeadline) {
       result->failure = "no group for too long, cycle " + std::to_string(cycle);
     }
+  }
+
+  void ObserveActivity(Watch* watch, Result* result) {
+    const auto& inside = *top_->adaptive_normalizer;
+    result->normaliser_starts += inside.setup_point_valid || inside.divide_point_valid;
+    std::array<uint32_t, 3> middle;
+    for (size_t word = 0; word < 3; ++word) {
+      middle[word] = inside.u_divide__DOT__middle[static_cast<int>(word)];
+    }
+    result->middle_changes += middle != watch->middle;
+    watch->middle = middle;
   }
 
   template <typename Port>

@@ -14,7 +14,7 @@ inline constexpr int kCoordWidth = 12;
 inline constexpr int kLengthWidth = 13;
 inline constexpr int kMaterialWidth = 8;
 inline constexpr int kMethodWidth = 5;
-inline constexpr int kTriangleWords = 64;
+inline constexpr int kTriangleWords = 65;
 
 template <typename Value, typename Bits>
 void PutSurface(const BasicSurface<Value>& s, Bits& bits) {
@@ -28,6 +28,7 @@ void DriveTriangle(const TriangleState& triangle, Port& port) {
   for (const Surface& s : triangle.specular) PutSurface(s, bits);
   for (const IntensityAcc value : triangle.ambient) bits.Put(value);
   for (const CosineSurface& s : triangle.cosine) PutSurface(s, bits);
+  bits.Put(triangle.limit.raw(), AngleLimit::kWidth);
   bits.Put(triangle.material, kMaterialWidth);
   bits.Put(triangle.dz_dx);
   bits.Put(triangle.origin_y, kCoordWidth);

@@ -193,6 +193,8 @@ class ShadingUnitDut : public RtlShadingUnit {
   Counters ReadCounters() const {
     BitReader<decltype(top_->counters_o)> bits(top_->counters_o);
     Counters counters;
+    counters.skipped = static_cast<int64_t>(bits.Take(32));
+    counters.normalised = static_cast<int64_t>(bits.Take(32));
     counters.no_highlight = static_cast<int64_t>(bits.Take(32));
     counters.unlit = static_cast<int64_t>(bits.Take(32));
     counters.setup = static_cast<int64_t>(bits.Take(32));

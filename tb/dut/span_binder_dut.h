@@ -33,6 +33,7 @@ class SpanBinderDut {
   struct BoundRun {
     SpanSeed run;
     std::array<SpanNormal, 2> normal;
+    AngleLimit limit;
     int64_t offered;  // first cycle with run_valid_o
     int64_t taken;
   };
@@ -112,6 +113,7 @@ class SpanBinderDut {
     std::vector<uint32_t> words;
     for (int word = 0; word < kRunWords; ++word) words.push_back(top_->run_o[word]);
     for (int word = 0; word < kNormalWords; ++word) words.push_back(top_->normal_o[word]);
+    words.push_back(top_->limit_o);
     if (held_ && (!top_->run_valid_o || words != held_words_)) {
       result->failure = "the run on offer changed in cycle " + std::to_string(cycle);
     }
@@ -133,6 +135,7 @@ class SpanBinderDut {
     for (SpanNormal& normal : bound.normal) {
       for (auto& component : normal) component = components.TakeSigned<SpanNormalComponent>();
     }
+    bound.limit = AngleLimit::FromRaw(top_->limit_o);
     bound.offered = offered_;
     bound.taken = cycle;
     return bound;

@@ -33,7 +33,11 @@ bool Scoreboard::Consume(const TimedPixel* pixels, size_t count) {
     if (++index_ == length_) {
       ++verdicts_.spans_compared;
       verdicts_.cycle_mismatches += cycle_differs_;
-      if (records_) records_->push_back({timing_, pixels[i].cycle});
+      if (records_) {
+        const Counters& now = model_.counters();
+        records_->push_back({timing_, pixels[i].cycle, now.normalised - before_.normalised,
+                             now.skipped - before_.skipped});
+      }
     }
   }
   return true;
@@ -42,6 +46,7 @@ bool Scoreboard::Consume(const TimedPixel* pixels, size_t count) {
 void Scoreboard::NextSpan() {
   if (!triangle_open_) model_.Triangle(work_.triangles[next_triangle_++]);
   const SpanCommand& span = work_.spans[next_span_++];
+  before_ = model_.counters();
   timing_ = model_.Span(span, pixels_.data());
   triangle_open_ = !span.last;
   index_ = 0;

@@ -43,6 +43,7 @@ struct Verdicts {
 struct SpanRecord {
   SpanTiming model;
   int64_t rtl_last_left = 0;
+  int64_t normalised = 0, skipped = 0;  // normalisations, adaptive methods
 };
 
 // Compares every pixel that leaves the RTL with the model: position, depth, colour, order and
@@ -69,6 +70,7 @@ class Scoreboard : public PixelConsumer {
   ShadingUnit model_;
   std::vector<Pixel> pixels_;  // of the current span
   SpanTiming timing_;
+  Counters before_;  // of the spans before
   int index_ = 0;
   int length_ = 0;
   bool cycle_differs_ = false;

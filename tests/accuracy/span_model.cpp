@@ -21,9 +21,24 @@ void Run(Shader shader, const LightState& light, int length, LightCosines* cosin
   }
 }
 
+std::vector<AdaptiveSegment> Segments(const Configuration& configuration, const SpanCommand& span) {
+  AdaptiveNormalizer normalizer(AdaptiveKindOf(configuration.method), span.normal, span.length,
+                                configuration.limit);
+  std::vector<AdaptiveSegment> segments;
+  AdaptiveSegment segment;
+  while (normalizer.Next(&segment)) segments.push_back(segment);
+  return segments;
+}
+
 template <int kLanes>
 void RunMethod(const Configuration& configuration, const LightState& light, const SpanCommand& span,
                LightCosines* cosines) {
+  if (IsAdaptive(configuration.method)) {
+    const auto segments = Segments(configuration, span);
+    const AdaptiveSegment* begin = segments.data();
+    AdaptiveShader<kLanes> shader(begin, begin + segments.size());
+    return Run<kLanes>(shader, light, span.length, cosines);
+  }
   NormalSeed seed;
   NormalSetup::Seed(SetupKindOf(configuration.method), light, span, kLanes, &seed);
   const auto run = [&](auto shader) { Run<kLanes>(shader, light, span.length, cosines); };
@@ -36,7 +51,7 @@ void RunMethod(const Configuration& configuration, const LightState& light, cons
       return run(SlerpPaperShader<kLanes>(seed, configuration.fraction_bits));
     case Method::kSlerpDirect: return run(SlerpDirectShader<kLanes>(seed));
     case Method::kSlerpIntensity: return run(SlerpIntensityShader<kLanes>(seed));
-    default: assert(false && "one of kStudiedMethods");
+    default: assert(false && "a method that interpolates normals");
   }
 }
 

@@ -18,6 +18,7 @@ struct Configuration {
   Method method = Method::kSlerp;
   int lanes = 1;                            // 1 or 4
   int fraction_bits = Quantity::kFraction;  // of slerp-paper
+  AngleLimit limit = {};                    // of the adaptive methods
 };
 std::string NameOf(const Configuration& configuration);
 

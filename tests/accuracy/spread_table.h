@@ -20,8 +20,8 @@ inline constexpr std::array<double, 4> kTerminatorSpreads = {5, 10, 30, 90};
 // Full-scale light of one kind: kd = 1, or ks = 1. `lit` as in SpreadLight.
 SpreadLight FullLight(int shininess, bool lit = true);
 
-// What a study of the method expects, from a grid of points and random lights; 0 where it says
-// nothing. The largest error at a spread, the spread of an error, and the error of quad with a
+// Computed apart from the search in floating point, on a grid of points with random lights; 0 where
+// nothing was. The largest error at a spread, the spread of an error, and the error of quad with a
 // terminator in the triangle.
 double ExpectedError(Method method, int shininess, double degrees);
 double ExpectedLimit(Method method, int shininess, double codes);

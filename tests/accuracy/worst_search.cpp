@@ -73,10 +73,17 @@ Worst WorstSearch::Evaluate(const SpanCase& span) {
 }
 
 // Ranges of angles are searched evenly in the logarithm, in degrees, from their end, and where the
-// bend of a step falls just short of half an ulp of S1.38 and is lost.
+// bend of a step falls just short of half an ulp of S1.38 and is lost. Adaptive methods err most
+// where an angle falls just short of another level.
 double WorstSearch::StartAngle(int restart) {
   const double range = cell_.degrees / cell_.least_degrees;
   const double part = Uniform();
+  if (IsAdaptive(cell_.configuration.method) && restart % 2 == 1) {
+    const double limit = std::ldexp(static_cast<double>(cell_.configuration.limit.raw()), -30);
+    const double segment = (1 - 1e-4 * part) * std::acos(1 - limit) * 180 / kPi;
+    const double degrees = std::ldexp(segment, static_cast<int>(10 * Uniform()));
+    return std::clamp(std::log(degrees / cell_.least_degrees) / std::log(range), 0.0, 1.0);
+  }
   switch (restart % 5) {
     case 1: return std::log(1 + (range - 1) * part) / std::log(range);
     case 2: {

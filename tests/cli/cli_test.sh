@@ -95,7 +95,7 @@ for engine in rtl model ideal; do
 done
 check 'RTL and model draw the same picture' cmp rtl.png model.png
 accept render builtin:torus:8 builtin:saddle:4 --method all --size 80x60 -o many.png
-check 'one picture per scene and method' test "$(find . -name 'many-*.png' | wc -l)" -eq 40
+check 'one picture per scene and method' test "$(find . -name 'many-*.png' | wc -l)" -eq 46
 accept render builtin:sphere:6 --size 40x30 -o a.exr --camera persp --lighting phong --cull none
 accept verify builtin:sphere:6 --size 64x48 --method all --backpressure random --json v.json
 has_keys v.json method cycles cycles_per_pixel setup_cycles stall_cycles skipped pixels_compared \
@@ -112,7 +112,15 @@ accept cycles builtin:sphere:3 --size 64x48 --method quad --tolerance 1 --subdiv
 check 'subdivision is reported' grep -q '"over_limit_triangles": [1-9]' report.json
 check 'nothing is split when only reported' grep -q '"pieces": 0' report.json
 check 'subdivision is counted' grep -q '"pieces": [1-9]' split.json
-for method in phong slerp-intensity; do
+for tolerance in 0 0.5 10.2; do
+  accept verify builtin:sphere:3 --size 64x48 --method adaptive --tolerance $tolerance --lanes 4 \
+    --lighting phong --json adaptive-$tolerance.json
+done
+has_keys adaptive-0.json normalised normalisations_skipped
+normalised() { grep -m1 '"normalised"' "adaptive-$1.json" | tr -dc 0-9; }
+check 'a larger tolerance normalises less' test "$(normalised 0)" -gt "$(normalised 0.5)" -a \
+  "$(normalised 0.5)" -gt "$(normalised 10.2)"
+for method in phong slerp-intensity adaptive; do
   for engine in rtl model; do
     accept render builtin:torus:8 --method $method --lanes 4 --engine $engine --size 80x60 \
       -o $method-$engine.png
@@ -129,12 +137,16 @@ check 'a waveform was written' test -s wave.fst
 
 accept cycles builtin:saddle:3 --size 64x48 --method all --csv spans.csv --json cycles.json
 check 'header of the CSV' test "$(head -n 1 spans.csv)" = \
-  triangle,y,x,length,method,cycles_rtl,cycles_model,setup,stall
+  triangle,y,x,length,method,cycles_rtl,cycles_model,setup,stall,normalised,skipped
 check 'the cycles of the CSV add up to those of the frames' test \
   "$(awk -F, 'NR > 1 { sum += $6 } END { print sum }' spans.csv)" = \
   "$(grep -m1 '^  "cycles":' cycles.json | tr -dc 0-9)"
 check 'RTL and model agree in the CSV' \
   awk -F, 'NR > 1 && $6 != $7 { exit 1 } END { exit NR < 100 }' spans.csv
+
+check 'the normalisations of the CSV add up to those of the frames' test \
+  "$(awk -F, 'NR > 1 { sum += $10 } END { print sum }' spans.csv)" = \
+  "$(grep -m1 '^  "normalised":' cycles.json | tr -dc 0-9)"
 
 # Packets written and read back are the same frame.
 accept verify builtin:mixed:6 --size 90x70 --triangles-out mixed.jsonl --json direct.json

@@ -21,7 +21,9 @@ const char* const kCounters[] = {"PIXELS",
                                  "SKIPPED_BACK_FACING",
                                  "SKIPPED_DEGENERATE",
                                  "SKIPPED_OFF_SCREEN",
-                                 "SKIPPED_EMPTY"};
+                                 "SKIPPED_EMPTY",
+                                 "NORMALISED",
+                                 "NORMALISED_SKIPPED"};
 using CounterValues = std::map<std::string, uint64_t>;
 
 // What a frame leaves behind.
@@ -110,7 +112,9 @@ Rendered OnModel(const Case& test) {
            {"SKIPPED_BACK_FACING", u(work.skipped.back_facing)},
            {"SKIPPED_DEGENERATE", u(work.skipped.degenerate)},
            {"SKIPPED_OFF_SCREEN", u(work.skipped.off_screen)},
-           {"SKIPPED_EMPTY", u(work.skipped.empty)}}};
+           {"SKIPPED_EMPTY", u(work.skipped.empty)},
+           {"NORMALISED", u(unit.counters().normalised)},
+           {"NORMALISED_SKIPPED", u(unit.counters().skipped)}}};
 }
 
 void ExpectSame(const Case& test, const sc_core::sc_time& quantum) {

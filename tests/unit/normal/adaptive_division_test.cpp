@@ -136,6 +136,8 @@ TEST(AdaptiveDivision, LimitFollowsToleranceAndShininess) {
       expect(AdaptiveNormalizer::LimitOf(tolerance, shininess, false), 4 * tol - 2 * tol * tol);
       expect(AdaptiveNormalizer::LimitOf(tolerance, shininess, true),
              n == 128 ? 4 * tol - 2 * tol * tol : 4 * tol / std::max<Real>(2, n / 128.0L));
+      expect(AdaptiveNormalizer::LimitOf(tolerance, shininess, true, Lighting::kPhong),
+             tol / (n / 128.0L));
     }
   }
 }

@@ -120,6 +120,35 @@ TEST(AdaptiveNormalizer, FullRateBehindLongRows) {
   EXPECT_EQ(CyclesOf<Dut4>(8), 8 * (125 + borders));
 }
 
+// Where no span needs a division, no product of the division moves and no normalisation starts; the
+// printed extension normalises its end all the same, and a chord both ends.
+TEST(AdaptiveNormalizer, OneSegmentMovesNoNormalisation) {
+  std::mt19937 random(1);
+  constexpr int kSpans = 300;
+  const FlowPattern flow = FlowPattern::Random(3);
+  std::vector<Dut::Span> spans;
+  for (int i = 0; i < kSpans; ++i) {
+    const int length = RandomAdaptiveLength(500, random);
+    spans.push_back(
+        SpanPins<Dut>(RandomTurnUpTo(40 * kDegree, random), length, kLargeLimit, random));
+  }
+  const auto run = [&](AdaptiveKind kind) {
+    Dut rtl;
+    return rtl.Run(kind, spans, flow, flow);
+  };
+  const auto sphere = run(AdaptiveKind::kSphere);
+  ASSERT_EQ(sphere.failure, "");
+  EXPECT_EQ(sphere.normaliser_starts, 0);
+  EXPECT_EQ(sphere.middle_changes, 0);
+  EXPECT_EQ(run(AdaptiveKind::kExtended).normaliser_starts, kSpans);
+  EXPECT_EQ(run(AdaptiveKind::kChord).normaliser_starts, 2 * kSpans);
+  for (Dut::Span& span : spans) span.limit = {};
+  const auto divided = run(AdaptiveKind::kSphere);
+  ASSERT_EQ(divided.failure, "");
+  EXPECT_EQ(divided.normaliser_starts, 0);
+  EXPECT_GT(divided.middle_changes, kSpans);
+}
+
 // Wherever it stops: in the set-up, the division, the queue, or with half a group gathered.
 TEST(AdaptiveNormalizer, ResetEmptiesIt) {
   std::mt19937 random(1);

@@ -24,8 +24,10 @@ Dut::Work WorkOf(int triangles, uint32_t seed) {
   std::mt19937 random(seed);
   const tb::SpanSetupDut::Work plain = RandomWork(Method::kQuad, triangles, random);
   Dut::Work work{plain.triangles, plain.spans};
-  for (TriangleState& triangle : work.triangles)
+  for (TriangleState& triangle : work.triangles) {
     triangle.material = static_cast<int>(random() % 256);
+    triangle.limit = AngleLimit::FromRaw(static_cast<int64_t>(random() & AngleLimit::kMaxRaw));
+  }
   for (SpanCommand& span : work.spans) {
     for (SpanNormal& normal : span.normal) {
       for (auto& component : normal) component = SpanNormalComponent::Wrap(random());
@@ -48,6 +50,7 @@ void ExpectRuns(const Dut::Work& work, const Dut::Result& result) {
     ASSERT_EQ(run.dz_dx.raw(), expected.dz_dx.raw()) << "span " << i;
     ASSERT_EQ(run.material, expected.material) << "span " << i;
     ASSERT_EQ(result.runs[i].normal, work.spans[i].normal) << "span " << i;
+    ASSERT_EQ(result.runs[i].limit, work.triangles[triangle].limit) << "span " << i;
     if (work.spans[i].last) ++triangle;
   }
 }

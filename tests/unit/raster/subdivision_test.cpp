@@ -108,7 +108,8 @@ TEST(Subdivision, ModelWithinErrorBound) {
   EXPECT_GT(worst, 0.49) << "the search is blind";
 }
 
-// Two triangles that share an edge cut it at the same points: every vertex on it is a vertex of both.
+// Two triangles that share an edge cut it at the same points: every vertex on it is a vertex of
+// both.
 TEST(Subdivision, NeighboursShareTheirVertices) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> lean(-1, 1);
@@ -124,7 +125,8 @@ TEST(Subdivision, NeighboursShareTheirVertices) {
       subdivision.Split(side == 0 ? left : right, &pieces);
       for (const TrianglePacket& piece : pieces) {
         for (size_t k = 0; k < 3; ++k) {
-          if (piece.x[k].raw() + piece.y[k].raw() == 4096) on_edge[side][piece.x[k].raw()] = piece.n[k];
+          if (piece.x[k].raw() + piece.y[k].raw() == 4096)
+            on_edge[side][piece.x[k].raw()] = piece.n[k];
         }
       }
     }
@@ -145,6 +147,14 @@ TEST(Subdivision, OpposedNormalsAndTinyEdgesEnd) {
   EXPECT_EQ(pieces.size(), 1u);
 }
 
+TEST(Subdivision, MethodsWithoutALimitNeverSplit) {
+  const TriangleList list = tb::RandomTriangles(5, 400);
+  const FrontEndOptions options{Tolerance::FromRaw(0), Subdivide::kSplit};
+  for (const Method method : {Method::kFlat, Method::kPhong, Method::kSlerp}) {
+    EXPECT_EQ(FrontEnd::Run(list, method, options).over_limit, 0) << Name(method);
+  }
+}
+
 // Through the front end: counted, and the pixels of the whole triangles are covered.
 TEST(Subdivision, FrontEndCountsAndSplits) {
   const TriangleList list = tb::RandomTriangles(5, 400);
@@ -160,6 +170,16 @@ TEST(Subdivision, FrontEndCountsAndSplits) {
   EXPECT_EQ(reported.pixels, whole.pixels);
   EXPECT_EQ(split.over_limit, reported.over_limit);
   EXPECT_GT(split.pieces, split.over_limit);
+  const auto packets = static_cast<int64_t>(list.triangles.size());
+  for (const FrameWork* work : {&whole, &reported}) {
+    EXPECT_EQ(static_cast<int64_t>(work->triangles.size()) + work->skipped.total(), packets);
+  }
+  const auto split_triangles = static_cast<int64_t>(split.triangles.size());
+  const int64_t whole_triangles = split_triangles - split.pieces;
+  EXPECT_LE(whole_triangles + split.skipped.total(), packets);
+  EXPECT_GE(whole_triangles + split.skipped.total() + split.over_limit, packets);
+  // A packet is skipped once, not once a piece.
+  EXPECT_LE(split.skipped.total() - whole.skipped.total(), split.over_limit);
   EXPECT_NEAR(static_cast<double>(split.pixels), static_cast<double>(whole.pixels),
               0.02 * static_cast<double>(whole.pixels));
 }
