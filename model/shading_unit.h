@@ -17,7 +17,7 @@ struct Counters {
   int64_t pixels = 0;        // pixels that left
   int64_t stall = 0;         // cycles: pixels were on offer and not taken
   int64_t setup = 0;         // cycles: no pixel on offer although a span was inside
-  int64_t unlit = 0;         // pixels with N.L <= 0; methods that interpolate normals
+  int64_t unlit = 0;         // pixels with N.L <= 0; methods that light every pixel
   int64_t no_highlight = 0;  // pixels whose power was not computed; the same
   int64_t normalised = 0;    // normalisations of spans; adaptive methods
   int64_t skipped = 0;       // pixels less those, span by span and not below 0; the same

@@ -2,9 +2,8 @@
 //
 // Shading unit: triangles and their spans in, shaded pixels out, Lanes per cycle.
 //
-//   triangle, span -> span_setup -> pixel_walker + surface_shader -> pixel     intensities
-//   triangle, span -> span_setup -> pixel_walker + lit_pixels -> pixel         quad-cosine
-//   triangle, span -> normal_seeds -> pixel_walker + lit_pixels -> pixel       normals
+//   triangle, span -> span_seeds -> pixel_walker + surface_shader -> pixel     intensities
+//                                -> pixel_walker + lit_pixels -> pixel         quad-cosine, normals
 //
 // Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
 // Timing    Lanes pixels per cycle. Set-up overlaps the previous spans: no bubble between spans of 2
@@ -50,115 +49,77 @@ module shading_unit
 
   output counters_t          counters_o    // of the current frame
 );
-  localparam bit HasSurface = |(Methods & SurfaceMethods);
-  localparam bit HasNormal = |(Methods & ~SurfaceMethods);
   localparam bit HasIntensity = |(Methods & ~LitMethods);
   localparam bit HasLit = |(Methods & LitMethods);
 
   logic   frame_valid_q, take_frame, triangle_gate;
   frame_t frame_q;
-  logic   is_normal;               // the frame interpolates normals
   logic   is_lit;                  // the frame lights every pixel
-  assign is_normal     = is_any_of(Methods, frame_q.method, ~SurfaceMethods);
-  assign is_lit        = is_any_of(Methods, frame_q.method, LitMethods);
-  assign triangle_gate = frame_valid_q && !frame_valid_i;
+  logic   is_adaptive;
+  logic   seeds_ready;
+  assign is_lit           = is_any_of(Methods, frame_q.method, LitMethods);
+  assign is_adaptive      = is_any_of(Methods, frame_q.method, AdaptiveMethods);
+  assign triangle_gate    = frame_valid_q && !frame_valid_i;
+  assign triangle_ready_o = seeds_ready && triangle_gate;
 
   ////////////
   // Set-up //
   ////////////
 
-  logic  surface_triangle_ready, surface_span_ready, surface_busy, surface_inside;
-  logic  surface_valid, normal_triangle_ready, normal_span_ready, normal_busy, normal_inside;
-  logic  normal_valid, seed_valid, seed_ready;
+  logic                          seeds_inside, seeds_busy, seed_valid, seed_ready;
+  run_t                          run;
   seed_t                         seed;     // of intensities
   split_seed_t    [Channels-1:0] split;    // quad-split
   surface_point_t [Channels-1:0] point;    // quad-polynomial, quad-horner
   curve_seed_t    [Cosines-1:0]  cosine;   // quad-cosine
   material_index_t               material;
-  assign triangle_ready_o = (is_normal ? normal_triangle_ready : surface_triangle_ready)
-                            && triangle_gate;
-  assign span_ready_o     = is_normal ? normal_span_ready : surface_span_ready;
-  assign seed_valid       = is_normal ? normal_valid : surface_valid;
 
-  if (HasSurface) begin : gen_span_setup
-    span_setup #(.Methods(Methods & SurfaceMethods)) u_span_setup (
-      .clk_i, .rst_ni,
-      .method_i        (frame_q.method),
-      .triangle_valid_i(triangle_valid_i && triangle_gate && !is_normal),
-      .triangle_ready_o(surface_triangle_ready),
-      .triangle_i,
-      .span_valid_i    (span_valid_i && !is_normal),
-      .span_ready_o    (surface_span_ready),
-      .span_i,
-      .seed_valid_o    (surface_valid),
-      .seed_ready_i    (seed_ready && !is_normal),
-      .seed_o          (seed),
-      .split_o         (split),
-      .cosine_o        (cosine),
-      .material_o      (material),
-      .point_o         (point),
-      .span_inside_o   (surface_inside),
-      .busy_o          (surface_busy)
-    );
-  end else begin : gen_no_span_setup
-    assign {surface_triangle_ready, surface_span_ready, surface_valid} = '0;
-    assign {surface_inside, surface_busy, seed, split, cosine, material, point} = '0;
-  end
-
-  lit_run_t                                   lit_run;
   quantity_seed_t [Components-1:0][Lanes-1:0] quantity;
   length_seed_t   [Lanes-1:0]                 length;
   kappa_t                                     kappa;
   kappa_t [1:0]                               step_kappa;
   arc_t                                       arc;      // slerp-direct
   pixel_normal_t [Lanes-1:0][Components-1:0]  group;    // adaptive methods
-  logic                                       is_adaptive, group_valid, group_ready, count_valid;
+  logic                                       group_valid, group_ready, count_valid;
   span_length_t                               normalised, skipped;
-  assign is_adaptive = is_any_of(Methods, frame_q.method, AdaptiveMethods);
 
-  if (HasNormal) begin : gen_normal_seeds
-    normal_seeds #(.Methods(Methods & ~SurfaceMethods), .Lanes(Lanes)) u_normal_seeds (
-      .clk_i, .rst_ni,
-      .method_i        (frame_q.method),
-      .light_i         (frame_q.light),
-      .triangle_valid_i(triangle_valid_i && triangle_gate && is_normal),
-      .triangle_ready_o(normal_triangle_ready),
-      .triangle_i,
-      .span_valid_i    (span_valid_i && is_normal),
-      .span_ready_o    (normal_span_ready),
-      .span_i,
-      .seed_valid_o    (normal_valid),
-      .seed_ready_i    (seed_ready && is_normal),
-      .run_o           (lit_run),
-      .quantity_o      (quantity),
-      .length_o        (length),
-      .kappa_o         (kappa),
-      .step_kappa_o    (step_kappa),
-      .arc_o           (arc),
-      .group_valid_o   (group_valid),
-      .group_ready_i   (group_ready),
-      .group_o         (group),
-      .count_valid_o   (count_valid),
-      .normalised_o    (normalised),
-      .skipped_o       (skipped),
-      .span_inside_o   (normal_inside),
-      .busy_o          (normal_busy)
-    );
-  end else begin : gen_no_normal_seeds
-    assign {normal_triangle_ready, normal_span_ready, normal_valid} = '0;
-    assign {normal_busy, normal_inside, lit_run, quantity, length, kappa, step_kappa, arc} = '0;
-    assign {group_valid, group, count_valid, normalised, skipped} = '0;
-  end
+  span_seeds #(.Methods(Methods), .Lanes(Lanes)) u_span_seeds (
+    .clk_i, .rst_ni,
+    .method_i        (frame_q.method),
+    .light_i         (frame_q.light),
+    .triangle_valid_i(triangle_valid_i && triangle_gate),
+    .triangle_ready_o(seeds_ready),
+    .triangle_i, .span_valid_i, .span_ready_o, .span_i,
+    .seed_valid_o    (seed_valid),
+    .seed_ready_i    (seed_ready),
+    .run_o           (run),
+    .material_o      (material),
+    .seed_o          (seed),
+    .split_o         (split),
+    .point_o         (point),
+    .cosine_o        (cosine),
+    .quantity_o      (quantity),
+    .length_o        (length),
+    .kappa_o         (kappa),
+    .step_kappa_o    (step_kappa),
+    .arc_o           (arc),
+    .group_valid_o   (group_valid),
+    .group_ready_i   (group_ready),
+    .group_o         (group),
+    .count_valid_o   (count_valid),
+    .normalised_o    (normalised),
+    .skipped_o       (skipped),
+    .span_inside_o   (seeds_inside),
+    .busy_o          (seeds_busy)
+  );
 
   ////////////
   // Pixels //
   ////////////
 
   logic                         load, step, walker_valid, walker_ready, queue_ready, enter_valid;
-  run_t                         run;
   position_t [Lanes-1:0]        position;
   logic      [Lanes-1:0]        mask;
-  assign run          = is_normal ? lit_run.run : seed.run;
   // The pixels of an adaptive method leave the walker together with their normals.
   assign enter_valid  = walker_valid && is_lit && (!is_adaptive || group_valid);
   assign group_ready  = is_adaptive && queue_ready;
@@ -206,7 +167,7 @@ module shading_unit
       .material_valid_i, .material_index_i, .material_i,
       .load_i        (load && is_lit),
       .step_i        (step && is_lit),
-      .index_i       (is_normal ? lit_run.material : material),
+      .index_i       (material),
       .quantity_i    (quantity),
       .length_i      (length),
       .kappa_i       (kappa),
@@ -246,9 +207,8 @@ module shading_unit
   ////////////////////////
 
   logic span_inside;
-  assign span_inside   = (is_normal ? normal_inside : surface_inside) ||
-                         (is_lit && (walker_valid || queue_busy));
-  assign frame_ready_o = !surface_busy && !normal_busy && !walker_valid && !queue_busy;
+  assign span_inside   = seeds_inside || (is_lit && (walker_valid || queue_busy));
+  assign frame_ready_o = !seeds_busy && !walker_valid && !queue_busy;
   assign take_frame    = frame_valid_i && frame_ready_o;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

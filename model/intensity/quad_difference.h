@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/intensity/flat_color.h"
-#include "model/intensity/word.h"
+#include "model/intensity/second_difference.h"
 
 namespace shading {
 
@@ -26,22 +26,14 @@ class BasicQuadDifference {
       0.0157,
       "spans of 2048 pixels, 2A rounded, before the code is rounded"};
 
-  explicit BasicQuadDifference(const ChannelSeed& seed)
-      : current_(ToWord<Word>(seed.first)),
-        difference_(ToWord<Word>(seed.difference)),
-        curvature_(ToWord<Word>(seed.curvature)) {}
+  explicit BasicQuadDifference(const ChannelSeed& seed) : curve_(seed) {}
 
   uint8_t code() const { return ClampCode(whole()); }
-  int64_t whole() const { return WholeCodes(Bits(current_)); }  // before the clamp
-  void Step() {
-    current_ = current_ + difference_;
-    difference_ = difference_ + curvature_;
-  }
+  int64_t whole() const { return WholeCodes(Bits(curve_.value())); }  // before the clamp
+  void Step() { curve_.Step(); }
 
  private:
-  Word current_;     // I(x)
-  Word difference_;  // d(x) = I(x+1) - I(x)
-  Word curvature_;   // 2A
+  SecondDifference<Word> curve_;
 };
 
 using QuadDifference = BasicQuadDifference<>;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/intensity/flat_color.h"
-#include "model/intensity/word.h"
+#include "model/intensity/point_registers.h"
 
 namespace shading {
 
@@ -14,7 +14,7 @@ namespace shading {
 // Sums and products modulo 2^36 of integers: exact. Coefficients rounded to 2^-27 codes move a
 // pixel by (x^2 + |x y| + y^2 + |x| + |y| + 1) 2^-27 codes.
 template <typename Word = uint64_t>
-class BasicQuadHorner {
+class BasicQuadHorner : public PointRegisters<Word> {
  public:
   static constexpr UnitContract kContract = {"quad_horner",
                                              "intensity",
@@ -26,28 +26,22 @@ class BasicQuadHorner {
                                              "offsets of -2047..2047, before the code is rounded"};
 
   explicit BasicQuadHorner(const SurfacePoint& point, int lane = 0, int lanes = 1)
-      : a_(ToWord<Word>(point.surface.a)),
-        b_(ToWord<Word>(point.surface.b)),
-        c_(ToWord<Word>(point.surface.c)),
-        d_(ToWord<Word>(point.surface.d)),
-        e_(ToWord<Word>(point.surface.e)),
-        f_(ToWord<Word>(point.surface.f)),
-        x_(point.x + lane),
-        y_(point.y),
-        stride_(lanes) {}
+      : PointRegisters<Word>(point, lane, lanes) {}
 
   uint8_t code() const { return ClampCode(whole()); }
   int64_t whole() const {  // before the clamp
-    const Word x(static_cast<uint64_t>(x_)), y(static_cast<uint64_t>(y_));
+    const Word x = this->x(), y = this->y();
     const Word value = (a_ * x + c_ * y + d_) * x + (b_ * y + e_) * y + f_;
     return WholeCodes(Bits(value));
   }
-  void Step() { x_ += stride_; }
 
  private:
-  Word a_, b_, c_, d_, e_, f_;
-  int64_t x_, y_;
-  int64_t stride_;
+  using PointRegisters<Word>::a_;
+  using PointRegisters<Word>::b_;
+  using PointRegisters<Word>::c_;
+  using PointRegisters<Word>::d_;
+  using PointRegisters<Word>::e_;
+  using PointRegisters<Word>::f_;
 };
 
 using QuadHorner = BasicQuadHorner<>;

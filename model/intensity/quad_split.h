@@ -4,11 +4,12 @@
 #include <algorithm>
 
 #include "model/intensity/flat_color.h"
+#include "model/intensity/second_difference.h"
 
 namespace shading {
 
-// Bit-exact model of rtl/intensity/quad_split.sv: one channel of one span, diffuse and specular light
-// as two surfaces of paper 003, each clamped at 0, and added.
+// Bit-exact model of rtl/intensity/quad_split.sv: one channel of one span, diffuse and specular
+// light as two surfaces of paper 003, each clamped at 0, and added.
 //
 //   I(x) = ambient + max(0, D(x)) + max(0, S(x)),  D and S by two-register differences
 //
@@ -29,31 +30,19 @@ class QuadSplit {
       : diffuse_(diffuse), specular_(split.specular), ambient_(split.ambient.raw()) {}
 
   uint8_t code() const { return ClampCode(whole()); }
-  int64_t whole() const {  // before the clamp
-    return (ambient_ + diffuse_.Lit() + specular_.Lit()) >> IntensityAcc::kFraction;
-  }
+  int64_t whole() const { return sum() >> IntensityAcc::kFraction; }         // before the clamp
+  int64_t sum() const { return ambient_ + Lit(diffuse_) + Lit(specular_); }  // 2^26 I
   void Step() {
     diffuse_.Step();
     specular_.Step();
   }
 
  private:
-  struct Term {
-    explicit Term(const ChannelSeed& seed)
-        : value(Align(seed.first)),
-          difference(Align(seed.difference)),
-          curvature(Align(seed.curvature)) {}
-    int64_t Lit() const {
-      return std::max<int64_t>(static_cast<int64_t>(value) >> (64 - IntensityAcc::kWidth), 0);
-    }
-    void Step() {
-      value += difference;
-      difference += curvature;
-    }
-    uint64_t value, difference, curvature;
-  };
+  static int64_t Lit(const SecondDifference<>& term) {
+    return std::max<int64_t>(FromAligned<IntensityAcc>(term.value()).raw(), 0);
+  }
 
-  Term diffuse_, specular_;
+  SecondDifference<> diffuse_, specular_;
   int64_t ambient_;
 };
 

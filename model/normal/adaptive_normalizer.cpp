@@ -7,6 +7,7 @@
 #include "model/fixed/wide_integer.h"
 #include "model/normal/adaptive_normalizer_table.h"
 #include "model/normal/phong_direct.h"
+#include "model/normal/pixel_normal.h"
 
 namespace shading {
 namespace {
@@ -238,14 +239,7 @@ AngleLimit AdaptiveNormalizer::LimitOf(Tolerance tolerance, Shininess shininess,
 }
 
 PixelNormal AdaptiveNormalizer::Rounded(const std::array<Quantity, 3>& normal) {
-  PixelNormal rounded;
-  for (size_t i = 0; i < 3; ++i) {
-    constexpr int kExtra = Quantity::kFraction - PixelNormalComponent::kFraction;
-    constexpr int64_t kMost = (int64_t{1} << (PixelNormalComponent::kWidth - 1)) - 1;
-    const int64_t value = (normal[i].raw() + (int64_t{1} << (kExtra - 1))) >> kExtra;
-    rounded[i] = PixelNormalComponent::FromRaw(value > kMost ? kMost : value);
-  }
-  return rounded;
+  return {RoundPixelNormal(normal[0]), RoundPixelNormal(normal[1]), RoundPixelNormal(normal[2])};
 }
 
 }  // namespace shading

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "model/intensity/second_difference.h"
 #include "model/normal/normal_types.h"
 #include "model/unit_contract.h"
 
@@ -18,21 +19,13 @@ class LengthRecurrence {
       "seed S1.44",        "q S1.44", 1048064.5, "spans of 2048 pixels"};
 
   LengthRecurrence() = default;
-  explicit LengthRecurrence(const LengthSeed& seed)
-      : value_(Align(seed.first)),
-        difference_(Align(seed.difference)),
-        curvature_(Align(seed.curvature)) {}
+  explicit LengthRecurrence(const LengthSeed& seed) : curve_(seed) {}
 
-  LengthSquare value() const { return FromAligned<LengthSquare>(value_); }
-  void Step() {
-    value_ += difference_;
-    difference_ += curvature_;
-  }
+  LengthSquare value() const { return FromAligned<LengthSquare>(curve_.value()); }
+  void Step() { curve_.Step(); }
 
  private:
-  uint64_t value_ = 0;       // q(t)
-  uint64_t difference_ = 0;  // d(t)
-  uint64_t curvature_ = 0;   // c
+  SecondDifference<> curve_;
 };
 
 }  // namespace shading

@@ -23,20 +23,16 @@ module quad_difference
 );
   localparam int unsigned Latency = 1;
 
-  intensity_acc_t current_q;      // I(x)
-  intensity_acc_t difference_q;   // d(x) = I(x+1) - I(x)
-  intensity_acc_t curvature_q;    // 2A
+  intensity_acc_t value;
+  second_difference u_second_difference (
+    .clk_i,
+    .load_i,
+    .step_i,
+    .first_i      (seed_i.first),
+    .difference_i (seed_i.difference),
+    .curvature_i  (seed_i.curvature),
+    .value_o      (value)
+  );
 
-  assign code_o = to_code(current_q);
-
-  always_ff @(posedge clk_i) begin
-    if (load_i) begin
-      current_q    <= seed_i.first;
-      difference_q <= seed_i.difference;
-      curvature_q  <= seed_i.curvature;
-    end else if (step_i) begin
-      current_q    <= current_q + difference_q;
-      difference_q <= difference_q + curvature_q;
-    end
-  end
+  assign code_o = to_code(value);
 endmodule

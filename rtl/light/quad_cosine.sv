@@ -28,23 +28,22 @@ module quad_cosine
   localparam int unsigned Latency = 1;
 
   curve_seed_t seed;
-  lane_seed #(.value_t(cosine_acc_t), .seed_t(curve_seed_t), .Lane(Lane), .Lanes(Lanes)) u_lane_seed (
-    .seed_i, .seed_o(seed));
+  lane_seed #(.value_t(cosine_acc_t), .seed_t(curve_seed_t), .Lane(Lane), .Lanes(Lanes))
+  u_lane_seed (.seed_i, .seed_o(seed));
 
-  cosine_acc_t value_q, difference_q, curvature_q;
+  cosine_acc_t value;
+  second_difference #(.value_t(cosine_acc_t)) u_second_difference (
+    .clk_i,
+    .load_i,
+    .step_i,
+    .first_i      (seed.first),
+    .difference_i (seed.difference),
+    .curvature_i  (seed.curvature),
+    .value_o      (value)
+  );
+
   // S1.44 -> S1.30.
   logic signed [$bits(cosine_acc_t):0] rounded;
-  assign rounded  = $bits(rounded)'(value_q) + 47'sd8192;
+  assign rounded  = $bits(rounded)'(value) + 47'sd8192;
   assign cosine_o = to_cosine(35'(rounded >>> 14));
-
-  always_ff @(posedge clk_i) begin
-    if (load_i) begin
-      value_q      <= seed.first;
-      difference_q <= seed.difference;
-      curvature_q  <= seed.curvature;
-    end else if (step_i) begin
-      value_q      <= value_q + difference_q;
-      difference_q <= difference_q + curvature_q;
-    end
-  end
 endmodule

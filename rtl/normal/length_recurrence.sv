@@ -22,20 +22,13 @@ module length_recurrence
 );
   localparam int unsigned Latency = 1;
 
-  length_sq_t value_q;           // q(t)
-  length_sq_t difference_q;      // d(t)
-  length_sq_t curvature_q;       // c
-
-  assign value_o = value_q;
-
-  always_ff @(posedge clk_i) begin
-    if (load_i) begin
-      value_q      <= seed_i.first;
-      difference_q <= seed_i.difference;
-      curvature_q  <= seed_i.curvature;
-    end else if (step_i) begin
-      value_q      <= value_q + difference_q;
-      difference_q <= difference_q + curvature_q;
-    end
-  end
+  second_difference #(.value_t(length_sq_t)) u_second_difference (
+    .clk_i,
+    .load_i,
+    .step_i,
+    .first_i      (seed_i.first),
+    .difference_i (seed_i.difference),
+    .curvature_i  (seed_i.curvature),
+    .value_o
+  );
 endmodule

@@ -40,15 +40,6 @@ module phong_direct
   reciprocal_sqrt_t                       root;
   logic                                   root_valid;
 
-  // S1.38 -> S1.30.
-  function automatic span_normal_t shorten(quantity_t quantity);
-    shorten = quantity[39:8];
-  endfunction
-
-  function automatic logic [62:0] square(span_normal_t component);
-    square = 63'(64'(component) * 64'(component));
-  endfunction
-
   // S1.38 times 2^exponent -> S2.28.
   function automatic logic signed [30:0] scale(quantity_t quantity, logic [4:0] exponent);
     scale = 31'((62'(quantity) <<< exponent) >>> 10);
@@ -86,7 +77,7 @@ module phong_direct
 
   always_ff @(posedge clk_i) begin
     for (int unsigned i = 0; i < Components; ++i) begin
-      if (valid_i)           square_q[i]  <= square(shorten(normal_i[i]));
+      if (valid_i)           square_q[i]  <= square_of(quantity_to_span_normal(normal_i[i]));
       if (root_valid)        scaled_q[i]  <= scale(normal_q[Rooted-1][i], root.exponent);
       if (valid_q[Rooted])   product_q[i] <= 57'(scaled_q[i]) * signed'(57'(mantissa_q));
       if (valid_q[Rooted+1]) unit_q[i]    <= round(product_q[i]);

@@ -79,7 +79,7 @@ module slerp_direct_setup_root
     if (take_i) begin
       kappa_q <= kappa_i;
       for (int unsigned i = 0; i < Components; i++) begin
-        start_q[i]      <= quantity_i[i].first[39:8];
+        start_q[i]      <= quantity_to_span_normal(quantity_i[i].first);
         difference_q[i] <= quantity_i[i].difference;
       end
     end

@@ -36,15 +36,6 @@ module taylor_normalizer
   logic signed [Components-1:0][59:0] product_q;         // S2.57
   pixel_normal_t [Components-1:0]     unit_q;
 
-  // S1.38 -> S1.30.
-  function automatic span_normal_t shorten(quantity_t quantity);
-    shorten = quantity[39:8];
-  endfunction
-
-  function automatic logic [62:0] square(span_normal_t component);
-    square = 63'(64'(component) * 64'(component));
-  endfunction
-
   // q U4.60 -> q - 1 S0.28: saturates, truncates.
   function automatic logic signed [28:0] excess_of(logic [63:0] length_sq);
     if (length_sq[63:61] != '0) excess_of = 29'sh0fff_ffff;
@@ -73,8 +64,8 @@ module taylor_normalizer
 
   always_ff @(posedge clk_i) begin
     for (int unsigned i = 0; i < Components; ++i) begin
-      if (valid_i)    normal_q[0][i] <= shorten(normal_i[i]);
-      if (valid_i)    square_q[i]    <= square(shorten(normal_i[i]));
+      if (valid_i)    normal_q[0][i] <= quantity_to_span_normal(normal_i[i]);
+      if (valid_i)    square_q[i]    <= square_of(quantity_to_span_normal(normal_i[i]));
       if (valid_q[2]) product_q[i]   <= 60'(signed'(normal_q[2][i])) * signed'(60'(factor_q));
       if (valid_q[3]) unit_q[i]      <= round(product_q[i]);
     end

@@ -116,6 +116,16 @@ package normal_pkg;
     logic [12:0] curvature;
   } root_coefficients_t;
 
+  // S1.38 -> S1.30: truncates.
+  function automatic span_normal_t quantity_to_span_normal(quantity_t value);
+    quantity_to_span_normal = value[39:8];
+  endfunction
+
+  // U3.60.
+  function automatic logic [62:0] square_of(span_normal_t component);
+    square_of = 63'(64'(component) * 64'(component));
+  endfunction
+
   // S1.38 -> S1.24: rounds halves up, saturates.
   function automatic pixel_normal_t to_pixel_normal(quantity_t value);
     logic signed [40:0] rounded;

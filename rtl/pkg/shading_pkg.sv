@@ -190,8 +190,8 @@ package shading_pkg;
     logic [31:0] pixels;                     // pixels that left
     logic [31:0] stall;                      // cycles: pixels were on offer and not taken
     logic [31:0] setup;                      // cycles: no pixel on offer although a span was inside
-    logic [31:0] unlit;                      // pixels with N.L <= 0; normal methods
-    logic [31:0] no_highlight;               // pixels whose power was not computed; normal methods
+    logic [31:0] unlit;                      // pixels with N.L <= 0; methods that light every pixel
+    logic [31:0] no_highlight;               // pixels whose power was not computed; the same methods
     logic [31:0] normalised;                 // normalisations; adaptive methods
     logic [31:0] skipped;                    // pixels less those, span by span; adaptive methods
   } counters_t;

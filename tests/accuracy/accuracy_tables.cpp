@@ -30,10 +30,11 @@ std::string Number(double lsb) {
                        : fmt::format("{:.0f}", lsb);
 }
 
-std::string Header(std::string line, size_t columns) {
-  line += " |\n|";
-  for (size_t i = 0; i < columns; ++i) line += i == 0 ? "---|" : "--:|";
-  return line;
+// The first two lines of a table.
+std::vector<std::string> Header(const std::string& line, size_t columns) {
+  std::string rule = "|---|";
+  for (size_t i = 1; i < columns; ++i) rule += "--:|";
+  return {line + " |", rule};
 }
 
 // Lanes change nothing in the exact recurrences of the phong methods.
@@ -77,95 +78,92 @@ double AccuracyTables::AtAnyAngle(const Configuration& configuration, int length
   return worst;
 }
 
-void AccuracyTables::PrintOverview() {
-  fmt::print("\nWorst of all lengths and angles, against the method's own ideal, LSB\n\n");
-  fmt::print("{}\n", Header("| method | n = 1 | 8 | 32 | 128 | 256", 6));
+std::vector<std::string> AccuracyTables::Overview() {
+  std::vector<std::string> lines = Header("| method | n = 1 | 8 | 32 | 128 | 256", 6);
   for (const Configuration& configuration : AllConfigurations()) {
-    fmt::print("| {} |", NameOf(configuration));
+    std::string line = fmt::format("| {} |", NameOf(configuration));
     for (const int n : kShininess) {
       double worst = 0;
       for (const int length : kLengths) {
         worst = std::max(worst, AtAnyAngle(configuration, length, n));
       }
-      fmt::print(" {} |", Number(worst));
+      line += fmt::format(" {} |", Number(worst));
     }
-    fmt::print("\n");
+    lines.push_back(line);
   }
+  return lines;
 }
 
-void AccuracyTables::PrintFull(Method method) {
-  fmt::print("\n`{}` against the slerp, LSB\n\n", Name(method));
-  fmt::print("{}\n", Header("| length | degrees | 1 lane: n = 1 | 8 | 32 | 128 | 256 "
-                            "| 4 lanes: n = 1 | 8 | 32 | 128 | 256",
-                            12));
-  const auto print = [&](int length, const std::string& label, const auto& at) {
-    fmt::print("| {} | {} |", length, label);
+std::vector<std::string> AccuracyTables::Full(Method method) {
+  std::vector<std::string> lines = Header(
+      "| length | degrees | 1 lane: n = 1 | 8 | 32 | 128 | 256 "
+      "| 4 lanes: n = 1 | 8 | 32 | 128 | 256",
+      12);
+  const auto add = [&](int length, const std::string& label, const auto& at) {
+    std::string line = fmt::format("| {} | {} |", length, label);
     for (const int lanes : {1, kMaxLanes}) {
-      for (const int n : kShininess) fmt::print(" {} |", Number(at({method, lanes}, n)));
+      for (const int n : kShininess) line += fmt::format(" {} |", Number(at({method, lanes}, n)));
     }
-    fmt::print("\n");
+    lines.push_back(line);
   };
   using Column = const Configuration&;
   for (const int length : kLengths) {
     for (const double degrees : kAngles) {
-      print(length, fmt::format("{}", degrees),
-            [&](Column column, int n) { return At(CellOf(column, length, RowOf(degrees), n)); });
+      add(length, fmt::format("{}", degrees),
+          [&](Column column, int n) { return At(CellOf(column, length, RowOf(degrees), n)); });
     }
-    print(length, "any", [&](Column column, int n) { return AtAnyAngle(column, length, n); });
+    add(length, "any", [&](Column column, int n) { return AtAnyAngle(column, length, n); });
   }
+  return lines;
 }
 
-void AccuracyTables::PrintByAngleAndLength(Method method, int fraction_bits) {
-  fmt::print("\n`{}`{} against {}: n = 1 / worst of n = 8, 32, 128; LSB\n\n", Name(method),
-             method == Method::kSlerpPaper ? fmt::format(" with {} bits", fraction_bits) : "",
-             IsSpherical(method) ? "the slerp" : "classic Phong");
+std::vector<std::string> AccuracyTables::ByAngleAndLength(Method method, int fraction_bits) {
   std::string header = "| degrees";
   for (const int lanes : LanesOf(method)) {
     for (const int length : kLengths) header += fmt::format(" | {} px, {}x", length, lanes);
   }
-  fmt::print("{}\n", Header(header, 1 + kLengths.size() * LanesOf(method).size()));
-  const auto print = [&](const std::string& label, const auto& at) {
-    fmt::print("| {} |", label);
+  std::vector<std::string> lines = Header(header, 1 + kLengths.size() * LanesOf(method).size());
+  const auto add = [&](const std::string& label, const auto& at) {
+    std::string line = fmt::format("| {} |", label);
     for (const int lanes : LanesOf(method)) {
       const Configuration column = {method, lanes, fraction_bits};
       for (const int length : kLengths) {
         const double specular =
             std::max({at(column, length, 8), at(column, length, 32), at(column, length, 128)});
-        fmt::print(" {} / {} |", Number(at(column, length, 1)), Number(specular));
+        line += fmt::format(" {} / {} |", Number(at(column, length, 1)), Number(specular));
       }
     }
-    fmt::print("\n");
+    lines.push_back(line);
   };
   using Column = const Configuration&;
   for (const double degrees : kAngles) {
-    print(fmt::format("{}", degrees), [&](Column column, int length, int n) {
+    add(fmt::format("{}", degrees), [&](Column column, int length, int n) {
       return At(CellOf(column, length, RowOf(degrees), n));
     });
   }
-  print("any", [&](Column column, int length, int n) { return AtAnyAngle(column, length, n); });
+  add("any", [&](Column column, int length, int n) { return AtAnyAngle(column, length, n); });
+  return lines;
 }
 
-void AccuracyTables::PrintOtherIdeal() {
-  fmt::print(
-      "\nAgainst the other ideal, spans of {} pixels, one lane: n = 1 / 8 / 32 / 128; LSB\n\n",
-      kPictureLength);
+std::vector<std::string> AccuracyTables::OtherIdeal() {
   std::string header = "| degrees";
   for (const Method method : kStudiedMethods) {
     header += fmt::format(" | `{}` to {}", Name(method), IsSpherical(method) ? "Phong" : "slerp");
   }
-  fmt::print("{}\n", Header(header, 1 + kStudiedMethods.size()));
+  std::vector<std::string> lines = Header(header, 1 + kStudiedMethods.size());
   for (const double degrees : kAngles) {
     const Row row = RowOf(degrees);
-    fmt::print("| {} |", degrees);
+    std::string line = fmt::format("| {} |", degrees);
     for (const Method method : kStudiedMethods) {
       const Ideal other = IsSpherical(method) ? Ideal::kPhong : Ideal::kSlerp;
       const auto at = [&](int n) {
         return Number(At({{method}, other, kPictureLength, row.least, row.most, n}));
       };
-      fmt::print(" {} / {} / {} / {} |", at(1), at(8), at(32), at(128));
+      line += fmt::format(" {} / {} / {} / {} |", at(1), at(8), at(32), at(128));
     }
-    fmt::print("\n");
+    lines.push_back(line);
   }
+  return lines;
 }
 
 double AccuracyTables::LargestAngle(Method method, Ideal ideal, int length, int shininess) {
@@ -178,20 +176,21 @@ double AccuracyTables::LargestAngle(Method method, Ideal ideal, int length, int 
   return good;
 }
 
-void AccuracyTables::PrintLargestAngles() {
-  fmt::print("\nLargest angle, of at most 179 degrees, with an error of at most {} LSB\n\n",
-             kLimit);
-  fmt::print("{}\n", Header("| compared | length | n = 1 | 8 | 32 | 128 | 256", 7));
-  const auto print = [&](Method method, Ideal ideal, int length) {
-    fmt::print("| `{}` to {} | {} |", Name(method),
-               ideal == Ideal::kPhong ? "classic Phong" : "the slerp", length);
-    for (const int n : kShininess) fmt::print(" {:.1f} |", LargestAngle(method, ideal, length, n));
-    fmt::print("\n");
+std::vector<std::string> AccuracyTables::LargestAngles() {
+  std::vector<std::string> lines = Header("| compared | length | n = 1 | 8 | 32 | 128 | 256", 7);
+  const auto add = [&](Method method, Ideal ideal, int length) {
+    std::string line = fmt::format("| `{}` to {} | {} |", Name(method),
+                                   ideal == Ideal::kPhong ? "classic Phong" : "the slerp", length);
+    for (const int n : kShininess) {
+      line += fmt::format(" {:.1f} |", LargestAngle(method, ideal, length, n));
+    }
+    lines.push_back(line);
   };
-  print(Method::kSlerp, Ideal::kPhong, kPictureLength);
-  print(Method::kPhongTaylor, Ideal::kPhong, kPictureLength);
-  print(Method::kPhongTaylor, Ideal::kSlerp, kPictureLength);
-  print(Method::kPhongDuff, Ideal::kPhong, kLengths.back());
+  add(Method::kSlerp, Ideal::kPhong, kPictureLength);
+  add(Method::kPhongTaylor, Ideal::kPhong, kPictureLength);
+  add(Method::kPhongTaylor, Ideal::kSlerp, kPictureLength);
+  add(Method::kPhongDuff, Ideal::kPhong, kLengths.back());
+  return lines;
 }
 
 // Longest of 8, 16 .. 2048 pixels before the first that fails; 0 for none.
@@ -203,33 +202,50 @@ int AccuracyTables::LongestSpan(const Configuration& configuration, int shinines
   return length == 4 ? 0 : length;
 }
 
-void AccuracyTables::PrintLongestSpans() {
-  fmt::print(
-      "\nLongest spans, of 8, 16 .. 2048 pixels, whose error is at most {} LSB at any angle\n\n",
-      kLimit);
-  fmt::print("{}\n", Header("| method | n = 1 | 8 | 32 | 128 | 256", 6));
+std::vector<std::string> AccuracyTables::LongestSpans() {
+  std::vector<std::string> lines = Header("| method | n = 1 | 8 | 32 | 128 | 256", 6);
   for (const Configuration& configuration : AllConfigurations()) {
     if (configuration.method != Method::kSlerpPaper) continue;
-    fmt::print("| {} |", NameOf(configuration));
+    std::string line = fmt::format("| {} |", NameOf(configuration));
     for (const int n : kShininess) {
       const int length = LongestSpan(configuration, n);
-      fmt::print(" {} |", length == 0 ? "none" : std::to_string(length));
+      line += fmt::format(" {} |", length == 0 ? "none" : std::to_string(length));
     }
-    fmt::print("\n");
+    lines.push_back(line);
   }
+  return lines;
 }
 
-void AccuracyTables::Print() {
-  PrintOverview();
-  PrintFull(Method::kSlerp);
-  PrintFull(Method::kSlerpIntensity);
-  for (const Method method : {Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff, Method::kSlerpDirect}) {
-    PrintByAngleAndLength(method, Quantity::kFraction);
+std::vector<std::string> AccuracyTables::All() {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& title, const std::vector<std::string>& table) {
+    lines.insert(lines.end(), {"", title + ":", ""});
+    lines.insert(lines.end(), table.begin(), table.end());
+  };
+  add("Worst of all lengths and angles, against the method's own ideal, LSB", Overview());
+  for (const Method method : {Method::kSlerp, Method::kSlerpIntensity}) {
+    add(fmt::format("`{}` against the slerp, LSB", Name(method)), Full(method));
   }
-  for (const int bits : kFractionBits) PrintByAngleAndLength(Method::kSlerpPaper, bits);
-  PrintOtherIdeal();
-  PrintLargestAngles();
-  PrintLongestSpans();
+  const std::string columns = "n = 1 / worst of n = 8, 32, 128; LSB";
+  for (const Method method : {Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff}) {
+    add(fmt::format("`{}` against classic Phong: {}", Name(method), columns),
+        ByAngleAndLength(method));
+  }
+  add("`slerp-direct` against the slerp: " + columns, ByAngleAndLength(Method::kSlerpDirect));
+  for (const int bits : kFractionBits) {
+    add(fmt::format("`slerp-paper` with {} bits against the slerp: {}", bits, columns),
+        ByAngleAndLength(Method::kSlerpPaper, bits));
+  }
+  add(fmt::format("Against the other ideal, {} pixels, one lane: n = 1 / 8 / 32 / 128; LSB",
+                  kPictureLength),
+      OtherIdeal());
+  add(fmt::format("Largest angle, of at most 179 degrees, with an error of at most {} LSB", kLimit),
+      LargestAngles());
+  add(fmt::format("Longest spans, of 8, 16 .. 2048 pixels, whose error is at most {} LSB at any "
+                  "angle",
+                  kLimit),
+      LongestSpans());
+  return lines;
 }
 
 }  // namespace shading::accuracy

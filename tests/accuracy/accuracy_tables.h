@@ -2,27 +2,29 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <vector>
 
 #include "tests/accuracy/worst_search.h"
 
 namespace shading::accuracy {
 
-// The tables of docs/accuracy.md, in markdown on standard output.
+// The tables of docs/accuracy.md in markdown, a line a string.
 class AccuracyTables {
  public:
   explicit AccuracyTables(int divisor) : divisor_(divisor) {}  // of the effort
 
-  void Print();
+  std::vector<std::string> All();  // with a title before each
+  std::vector<std::string> Overview();
+  std::vector<std::string> Full(Method method);
+  std::vector<std::string> ByAngleAndLength(Method method, int fraction_bits = Quantity::kFraction);
+  std::vector<std::string> OtherIdeal();
+  std::vector<std::string> LargestAngles();
+  std::vector<std::string> LongestSpans();
+
   int64_t evaluations() const { return evaluations_; }
 
  private:
-  void PrintOverview();
-  void PrintFull(Method method);
-  void PrintByAngleAndLength(Method method, int fraction_bits);
-  void PrintOtherIdeal();
-  void PrintLargestAngles();
-  void PrintLongestSpans();
-
   double At(const Cell& cell);
   // Over all rows of the angles.
   double AtAnyAngle(const Configuration& configuration, int length, int shininess);

@@ -9,6 +9,8 @@
 
 #include "model/light/dot_product.h"
 #include "model/normal/normal_setup.h"
+#include "model/normal/slerp_direct.h"
+#include "model/normal/slerp_direct_setup.h"
 #include "model/normal/slerp_recurrence.h"
 #include "model/normal/span_normals.h"
 #include "tests/accuracy/worst_search.h"
@@ -49,22 +51,30 @@ std::string NameOf(const Cell& cell) {
          std::to_string(cell.degrees) + " degrees, n = " + std::to_string(cell.shininess);
 }
 
-// What the contracts of the units on the way allow, in LSB: d(x^n) <= n dx.
-double ContractBound(const Cell& cell) {
-  const auto ulp = [](const UnitContract& unit, int bits) {
-    return std::ldexp(unit.max_error_ulp, -bits);
-  };
+double Ulps(const UnitContract& unit, int bits) { return std::ldexp(unit.max_error_ulp, -bits); }
+
+// What the contracts of the units on the way allow a component of the normal, or a cosine.
+double QuantityBound(const Configuration& configuration) {
+  const double ends = Ulps(NormalSetup::kContract, 30) + Ulps(SpanNormals::kContract, 30);
+  if (configuration.method == Method::kSlerpDirect) {
+    return ends + Ulps(SlerpDirectSetup::kContract, 30) + Ulps(SlerpDirect::kContract, 24);
+  }
   // Four lanes take a quarter of the steps: t^2 / 4096 ulp and 1 more.
-  const double recurrence = cell.configuration.lanes == 1
-                                ? ulp(SlerpRecurrence::kContract, 28)
-                                : ulp(SlerpRecurrence::kContract, 32) + std::ldexp(1, -28);
-  const double quantity =
-      recurrence + ulp(NormalSetup::kContract, 30) + ulp(SpanNormals::kContract, 30);
-  const bool vectors = cell.configuration.method == Method::kSlerp;
-  const double cosine =
-      vectors ? std::sqrt(3.0) * (quantity + std::ldexp(1, -25)) + ulp(DotProduct::kContract, 30)
-              : quantity + std::ldexp(1, -31);
-  const double light = cell.shininess == 1 ? std::ldexp(1, -18) : ulp(BlinnSpecular::kContract, 16);
+  const double recurrence = configuration.lanes == 1
+                                ? Ulps(SlerpRecurrence::kContract, 28)
+                                : Ulps(SlerpRecurrence::kContract, 32) + std::ldexp(1, -28);
+  const bool vectors = configuration.method == Method::kSlerp;
+  return ends + recurrence + std::ldexp(1, vectors ? -25 : -31);
+}
+
+// In LSB: d(x^n) <= n dx.
+double ContractBound(const Cell& cell) {
+  const double quantity = QuantityBound(cell.configuration);
+  const double cosine = cell.configuration.method == Method::kSlerpIntensity
+                            ? quantity
+                            : std::sqrt(3.0) * quantity + Ulps(DotProduct::kContract, 30);
+  const double light =
+      cell.shininess == 1 ? std::ldexp(1, -18) : Ulps(BlinnSpecular::kContract, 16);
   return 255 * (cell.shininess * cosine + light);
 }
 
@@ -85,11 +95,15 @@ INSTANTIATE_TEST_SUITE_P(All, SlerpAccuracy,
                          testing::Values(Configuration{Method::kSlerp, 1},
                                          Configuration{Method::kSlerp, 4},
                                          Configuration{Method::kSlerpIntensity, 1},
-                                         Configuration{Method::kSlerpIntensity, 4}),
+                                         Configuration{Method::kSlerpIntensity, 4},
+                                         Configuration{Method::kSlerpDirect, 1},
+                                         Configuration{Method::kSlerpDirect, 4}),
                          [](const auto& test) {
-                           return std::string(test.param.method == Method::kSlerp ? "Normals"
-                                                                                  : "Cosines") +
-                                  std::to_string(test.param.lanes);
+                           const Method method = test.param.method;
+                           const std::string name = method == Method::kSlerp         ? "Normals"
+                                                    : method == Method::kSlerpDirect ? "Direct"
+                                                                                     : "Cosines";
+                           return name + std::to_string(test.param.lanes);
                          });
 
 TEST(PhongAccuracy, DirectIsClassicPhongWithinHalfACode) {

@@ -91,6 +91,28 @@ TEST(Pages, DiagramsAreDrawnFromTheRtlAsItIs) {
   }
 }
 
+// A line such as TABLE, left for a program to fill.
+bool IsPlaceholder(const std::string& line) {
+  return line.size() >= 4 && line.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == line.npos;
+}
+
+void ExpectNoPlaceholder(const fs::path& path) {
+  std::ifstream file(path);
+  int number = 1;
+  for (std::string line; std::getline(file, line); ++number) {
+    EXPECT_FALSE(IsPlaceholder(line)) << path << ":" << number << ": " << line;
+  }
+  EXPECT_GT(number, 1) << path;
+}
+
+TEST(Pages, NoPlaceholderIsLeft) {
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "docs")) {
+    if (entry.path().extension() == ".md") ExpectNoPlaceholder(entry.path());
+  }
+  ExpectNoPlaceholder(kRoot / "README.md");
+  ExpectNoPlaceholder(kRoot / "CONTRIBUTING.md");
+}
+
 TEST(Pages, LinksLeadSomewhere) {
   const std::regex link("\\]\\(([^)#:]+)\\)");
   int links = 0;

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "model/normal/normal_shader.h"
 #include "model/raster/front_end.h"
 #include "tb/rtl_shading_unit.h"
 #include "tb/scoreboard/scoreboard.h"
 #include "tb/stimulus/random_triangles.h"
 #include "tests/unit/one_span.h"
+#include "tests/unit/shading_unit_timing.h"
 
 namespace shading {
 namespace {
@@ -63,11 +63,6 @@ FrontEndOptions ToleranceOf(uint32_t seed) {
   return options;
 }
 
-// slerp_direct_setup stands behind normal_setup.
-int ArcLatency(Method method) {
-  return method == Method::kSlerpDirect ? SlerpDirectSetup::kContract.latency_cycles : 0;
-}
-
 class ShadingUnitMethod : public testing::TestWithParam<Method> {
  protected:
   void ExpectSame(tb::RtlShadingUnit* rtl, int lanes, uint32_t frames, int64_t least_pixels) {
@@ -92,33 +87,6 @@ TEST_P(ShadingUnitMethod, RtlMatchesModel) {
 
 TEST_P(ShadingUnitMethod, FourLanesMatchModel) {
   ExpectSame(tb::RtlShadingUnit::CreateAll(kMaxLanes).get(), kMaxLanes, 2, 150000);
-}
-
-// Cycles from a span to its first pixel, the unit idle.
-int Latency(Method method) {
-  const int light = PixelLight::kContract.latency_cycles + PixelQueue::kContract.latency_cycles;
-  if (IsAdaptive(method)) {
-    return AdaptiveNormalizer::kContract.latency_cycles - 1 + CosineLatency(method) + light +
-           (method == Method::kAdaptivePaper ? AdaptiveNormalizer::kExtend
-            : method == Method::kAdaptiveChord
-                ? AdaptiveNormalizer::kChordEnds + AdaptiveNormalizer::kChordTest
-                : 0);
-  }
-  if (!InterpolatesNormals(method)) {
-    return SpanSetup::Steps(method, 0) + 2 + (LightsPixels(method) ? light : 0);
-  }
-  return NormalSetup::Latency(1) + ArcLatency(method) + CosineLatency(method) + light;
-}
-
-// The shortest spans that hide the set-up of the next.
-int HidingLength(Method method) {
-  switch (method) {
-    case Method::kAdaptive: return AdaptiveNormalizer::kSetup;
-    case Method::kAdaptivePaper: return AdaptiveNormalizer::kSetup + AdaptiveNormalizer::kExtend;
-    case Method::kAdaptiveChord:
-      return 1 + AdaptiveNormalizer::kChordEnds + AdaptiveNormalizer::kChordTest;
-    default: return InterpolatesNormals(method) ? NormalSetup::kSteps : SpanSetup::Steps(method, 0);
-  }
 }
 
 // Each span is its own triangle, so that triangle hand-over is in the path.

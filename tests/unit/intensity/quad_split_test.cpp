@@ -4,19 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include "tb/dut/quad_split_dut.h"
 #include "tests/unit/flows.h"
-#include "tests/unit/intensity/seed_stimulus.h"
+#include "tests/unit/intensity/real_curve.h"
 
 namespace shading {
 namespace {
 
 using Dut = tb::QuadSplitDut;
-constexpr int kBoundedLength = 2048;  // pixels for which the contract states its error
 
 struct Seeds {
   ChannelSeed diffuse;
@@ -38,6 +38,16 @@ Seeds RandomSeeds(int length, std::mt19937& random) {
   return {TermSeed(length, random), {TermSeed(length, random), IntensityAcc::FromRaw(ambient)}};
 }
 
+// Any bits; the ambient light is not negative.
+Seeds AnySeeds(std::mt19937& random) {
+  const auto term = [&] {
+    return ChannelSeed{RandomAcc(random), {}, RandomAcc(random), RandomAcc(random)};
+  };
+  const int64_t ambient = RandomAcc(random).raw() & kMostAcc;
+  const ChannelSeed diffuse = term(), specular = term();
+  return {diffuse, {specular, IntensityAcc::FromRaw(ambient)}};
+}
+
 class QuadSplitFlow : public testing::TestWithParam<Flow> {};
 
 TEST_P(QuadSplitFlow, RtlMatchesModel) {
@@ -47,12 +57,12 @@ TEST_P(QuadSplitFlow, RtlMatchesModel) {
   int64_t cycle = 0;
   for (int span = 0; span < 5000; ++span) {
     const int length = RandomLength(random);
-    const Seeds seeds = RandomSeeds(length, random);
+    const Seeds seeds = span % 2 ? AnySeeds(random) : RandomSeeds(length, random);
     QuadSplit model(seeds.diffuse, seeds.split);
     rtl.Cycle(true, random() % 2, seeds.diffuse, seeds.split);
     ASSERT_EQ(rtl.code(), model.code());
     for (int left = length - 1; left > 0; ++cycle) {
-      const Seeds noise = RandomSeeds(16, random);
+      const Seeds noise = AnySeeds(random);
       const bool step = steps.At(cycle);
       rtl.Cycle(false, step, noise.diffuse, noise.split);
       if (step) {
@@ -98,25 +108,63 @@ TEST(QuadSplit, ModelMatchesClosedForm) {
   }
 }
 
-// Real parabolas of the whole span, their seeds rounded: the terms' errors add up, so the worst has both
-// at their extremes.
+double Bound(int t) { return 2 * std::ldexp(1 + t + 0.5 * t * (t - 1.0), -27); }
+
+QuadSplit ModelOf(const RealCurve& diffuse, const RealCurve& specular, int64_t ambient) {
+  return QuadSplit(diffuse.SeedOfDifferences(),
+                   {specular.SeedOfDifferences(), IntensityAcc::FromRaw(ambient)});
+}
+
+// |sum of the model - ambient - max(0, D(t)) - max(0, S(t))| of the real parabolas, in codes.
+double SumError(const QuadSplit& model, const RealCurve& diffuse, const RealCurve& specular,
+                int64_t ambient, int t) {
+  const long double real = std::max(diffuse.At(t), 0.0L) + std::max(specular.At(t), 0.0L);
+  const long double sum = std::ldexp(static_cast<long double>(model.sum() - ambient), -26);
+  return static_cast<double>(std::abs(sum - real));
+}
+
+double LastError(const RealCurve& diffuse, const RealCurve& specular) {
+  QuadSplit model = ModelOf(diffuse, specular, kHalfCode);
+  for (int t = 0; t + 1 < kBoundedLength; ++t) model.Step();
+  return SumError(model, diffuse, specular, kHalfCode, kBoundedLength - 1);
+}
+
+// Small moves of both parabolas, in fractions of the ulp to which their seeds are rounded.
+double ClimbedError(std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::array<RealCurve, 2> best = {RandomCurve(random), RandomCurve(random)};
+  double worst = LastError(best[0], best[1]);
+  for (int step = 0; step < 4000; ++step) {
+    const double reach = std::ldexp(1, -26 - static_cast<int>(random() % 10));
+    std::array<RealCurve, 2> next = best;
+    RealCurve& moved = next[random() % 2];
+    moved = {moved.a + reach * unit(random), moved.d + reach * unit(random),
+             moved.f + reach * unit(random)};
+    const double error = LastError(next[0], next[1]);
+    if (error <= worst) continue;
+    best = next;
+    worst = error;
+  }
+  return worst;
+}
+
 TEST(QuadSplit, ModelWithinErrorBound) {
-  constexpr int kLast = kBoundedLength - 1;
-  const double bound = 2 * std::ldexp(1 + kLast + 0.5 * kLast * (kLast - 1), -27);
   std::mt19937 random(3);
   double worst = 0;
-  for (int i = 0; i < 200000; ++i) {
-    std::uniform_real_distribution<double> unit(-1, 1);
-    double drift = 0;
-    for (int term = 0; term < 2; ++term) {
-      const double first = 200 * unit(random), slope = 100 * unit(random) / kLast;
-      const double bend = 200 * unit(random) / kLast / kLast;
-      const auto error = [](double real) { return IntensityAcc::Round(real).ToReal() - real; };
-      drift += error(first) + kLast * error(slope) + 0.5 * kLast * (kLast - 1) * error(bend);
+  for (int i = 0; i < 1000; ++i) {
+    const RealCurve diffuse = RandomCurve(random), specular = RandomCurve(random);
+    const int64_t ambient = static_cast<int64_t>(random() % 256) * kOneCode + kHalfCode;
+    QuadSplit model = ModelOf(diffuse, specular, ambient);
+    for (int t = 0; t < kBoundedLength; ++t, model.Step()) {
+      const double error = SumError(model, diffuse, specular, ambient, t);
+      ASSERT_LE(error, Bound(t)) << "pair " << i << " pixel " << t;
+      worst = std::max(worst, error);
     }
-    worst = std::max(worst, std::abs(drift));
   }
+  for (int start = 0; start < 6; ++start) worst = std::max(worst, ClimbedError(random));
+  const double bound = Bound(kBoundedLength - 1);
   EXPECT_LE(bound, QuadSplit::kContract.max_error_ulp);
+  EXPECT_GT(bound, 0.99 * QuadSplit::kContract.max_error_ulp);
   EXPECT_LE(worst, bound);
   EXPECT_GT(worst, 0.98 * bound) << "the search is blind";
   RecordProperty("worst_permille_of_bound", static_cast<int>(1000 * worst / bound));
@@ -142,7 +190,8 @@ TEST(QuadSplit, TermsAreClampedApart) {
   Dut rtl;
   const IntensityAcc ambient = IntensityAcc::FromRaw(10 * kOneCode);
   // D = -4, -2, 0, 2; S = 5, 2, -1, -4.
-  EXPECT_EQ(Codes(&rtl, {Line(-4, 2), {Line(5, -3), ambient}}, 4), (std::vector<int>{15, 12, 10, 12}));
+  EXPECT_EQ(Codes(&rtl, {Line(-4, 2), {Line(5, -3), ambient}}, 4),
+            (std::vector<int>{15, 12, 10, 12}));
 }
 
 TEST(QuadSplit, SumSaturates) {

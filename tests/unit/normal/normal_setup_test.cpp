@@ -12,46 +12,12 @@
 #include "model/normal/normal_setup_table.h"
 #include "tb/dut/normal_setup_dut.h"
 #include "tests/unit/flows.h"
+#include "tests/unit/normal/normal_setup_accuracy.h"
 
 namespace shading {
 namespace {
 
-using Real = long double;
-using Vector = std::array<Real, 3>;
-constexpr Real kPi = 3.14159265358979323846264338327950288L;
-
-Real Dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector Unit(const Vector& v) {
-  const Real length = std::sqrt(Dot(v, v));
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
-SpanNormal Round(const Vector& v) {
-  SpanNormal normal;
-  for (size_t i = 0; i < 3; ++i) normal[i] = SpanNormalComponent::Round(static_cast<double>(v[i]));
-  return normal;
-}
-Vector RealOf(const SpanNormal& n) { return {n[0].ToReal(), n[1].ToReal(), n[2].ToReal()}; }
-
-Vector RandomVector(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return Unit({normal(random), normal(random), normal(random)});
-}
-
-// A span of `length` pixels that turns by `angle`.
-SpanCommand SpanOf(Real angle, int length, std::mt19937& random) {
-  const Vector a = RandomVector(random), other = RandomVector(random);
-  Vector side, b;
-  for (size_t i = 0; i < 3; ++i) side[i] = other[i] - Dot(other, a) * a[i];
-  side = Unit(side);
-  for (size_t i = 0; i < 3; ++i) b[i] = std::cos(angle) * a[i] + std::sin(angle) * side[i];
-  SpanCommand span;
-  span.x = static_cast<int>(random() % 4096);
-  span.y = static_cast<int>(random() % 4096);
-  span.z = DepthAcc::Wrap(static_cast<int64_t>(random()) << 8);
-  span.length = length;
-  span.normal = {Round(a), Round(b)};
-  return span;
-}
+constexpr Real kPi = 2 * kQuarterTurn;
 
 int RandomLength(std::mt19937& random) {
   constexpr int kCorners[] = {1, 2, 3, 4, 5, 8, 9, 2048, 2049, 4095, 4096};
@@ -63,13 +29,16 @@ Real RandomAngle(std::mt19937& random) {
   return kPi / 2 * std::pow(2.0L, -static_cast<Real>(random() % 22000) / 1000);
 }
 SpanCommand RandomSpan(std::mt19937& random) {
-  SpanCommand span = SpanOf(RandomAngle(random), RandomLength(random), random);
+  SpanCommand span = SpanOf(RandomPlane(random), RandomAngle(random), RandomLength(random));
+  span.x = static_cast<int>(random() % 4096);
+  span.y = static_cast<int>(random() % 4096);
+  span.z = DepthAcc::Wrap(static_cast<int64_t>(random()) << 8);
   if (random() % 8 == 0) span.normal[1] = span.normal[0];
   return span;
 }
 LightState RandomLight(std::mt19937& random) {
   LightState light;
-  const Vector l = RandomVector(random), h = RandomVector(random);
+  const RealVector l = RandomPlane(random).start, h = RandomPlane(random).start;
   for (size_t i = 0; i < 3; ++i) {
     light.light[i] = NormalComponent::Round(static_cast<double>(l[i]));
     light.half_or_view[i] = NormalComponent::Round(static_cast<double>(h[i]));
@@ -168,56 +137,22 @@ TEST(NormalSetup, ContractMatchesRtl) {
   EXPECT_EQ(tb::NormalSetup4Dut::kInterval, NormalSetup::kSteps);
 }
 
-// Largest distance from slerp, in ulp of 2^-30, of an exact recurrence that starts from the seeds.
-Real Distance(const SpanCommand& span, int lanes) {
-  NormalSeed seed;
-  NormalSetup::Seed({true, false, false}, {}, span, lanes, &seed);
-  const Vector a = RealOf(span.normal[0]), b = RealOf(span.normal[1]);
-  const Vector unit_a = Unit(a), unit_b = Unit(b);
-  Vector chord;
-  for (size_t i = 0; i < 3; ++i) chord[i] = unit_b[i] - unit_a[i];
-  const Real psi = 2 * std::asin(std::sqrt(Dot(chord, chord)) / 2);
-  const int m = span.length - 1;
-  const Real kappa =
-      std::ldexp(static_cast<Real>(seed.kappa.mantissa.raw()), -28 - 2 * seed.kappa.exponent);
-  Real worst = 0;
-  for (int lane = 0; lane < std::min(lanes, m + 1); ++lane) {
-    for (size_t i = 0; i < 3; ++i) {
-      const QuantitySeed& start = seed.quantity[i][static_cast<size_t>(lane)];
-      Real s = start.first.ToReal(), d = start.difference.ToReal();
-      for (int t = lane; t <= m; t += lanes, s += d, d -= kappa * s) {
-        const Real w = static_cast<Real>(t) / m;
-        const Real ideal =
-            psi == 0 ? a[i]
-                     : (std::sin((1 - w) * psi) * a[i] + std::sin(w * psi) * b[i]) / std::sin(psi);
-        worst = std::max(worst, std::abs(s - ideal));
-      }
-    }
-  }
-  return std::ldexp(worst, 30);
-}
-
 TEST(NormalSetup, ModelWithinErrorBound) {
   for (const int lanes : {1, 4}) {
-    std::mt19937 random(1);
-    Real worst = 0;
-    for (int i = 0; i < 1200; ++i) {
-      const Real angle =
-          i % 2 ? kPi / 2 * (1 - static_cast<Real>(random() % 1000) / 20000) : RandomAngle(random);
-      const int m =
-          i % 3 ? 1 + static_cast<int>(random() % 400) : 1 + static_cast<int>(random() % 4095);
-      worst = std::max(worst, Distance(SpanOf(angle, m + 1, random), lanes));
-    }
-    RecordProperty(lanes == 1 ? "worst_ulp" : "worst_ulp_4", std::to_string(worst));
-    EXPECT_LE(worst, NormalSetup::kContract.max_error_ulp) << lanes << " lanes";
-    EXPECT_GT(worst, 0.2 * NormalSetup::kContract.max_error_ulp) << "the search is blind";
+    const SetupPoint worst = WorstSetup(lanes);
+    RecordProperty(lanes == 1 ? "worst_ulp" : "worst_ulp_4", std::to_string(worst.error));
+    RecordProperty(lanes == 1 ? "steps" : "steps_4", worst.steps);
+    RecordProperty(lanes == 1 ? "degrees" : "degrees_4",
+                   std::to_string(90 * worst.turn / kQuarterTurn));
+    EXPECT_LE(worst.error, NormalSetup::kContract.max_error_ulp) << lanes << " lanes";
+    EXPECT_GT(worst.error, 0.5 * NormalSetup::kContract.max_error_ulp) << "the search is blind";
   }
 }
 
 TEST(NormalSetup, EqualNormalsStandStill) {
   std::mt19937 random(1);
   for (int m = 0; m < 4096; ++m) {
-    SpanCommand span = SpanOf(0.5L, m + 1, random);
+    SpanCommand span = SpanOf(RandomPlane(random), 0.5L, m + 1);
     span.normal[1] = span.normal[0];
     for (const int lanes : {1, 4}) {
       NormalSeed seed;
