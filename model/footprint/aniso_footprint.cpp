@@ -44,6 +44,7 @@ FootprintSample AnisoFootprint::Next(int i, const std::array<Quantity, 3>& centr
   any_live_ = sample.live || (any_live_ && i > 0);
   const bool falls_back = i + 1 == SampleCount(pattern) && !any_live_;
   sample.live |= falls_back;
+  taken_ += sample.live;
   for (size_t c = 0; c < 3; ++c) {
     const int64_t by = falls_back ? 0 : offset.normal[c].raw();
     sample.normal[c] = SaturatedSum(centre[c], negative ? -by : by);

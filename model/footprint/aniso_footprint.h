@@ -41,6 +41,7 @@ class AnisoFootprint {
   FootprintSample Next(int i, const std::array<Quantity, 3>& centre);
   // To the next pixel of the lane.
   void Step();
+  int64_t taken() const { return taken_; }  // samples that were not excluded, so far
 
  private:
   bool IsInside(const Margins& offset, bool negative) const;
@@ -48,6 +49,7 @@ class AnisoFootprint {
   Footprint footprint_;
   Margins margin_, step_;
   bool any_live_ = false;
+  int64_t taken_ = 0;
 };
 
 }  // namespace shading

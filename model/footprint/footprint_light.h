@@ -1,20 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "model/footprint/aniso_footprint.h"
 #include "model/footprint/footprint_mean.h"
 #include "model/light/blinn_specular.h"
 #include "model/light/dot_product.h"
+#include "model/light/rgb_combine.h"
 #include "model/light/specular_cosine.h"
 #include "model/normal/phong_direct.h"
 
 namespace shading {
 
-// The mean light of a pixel: its samples, each normalised and lit, for one material.
+// The mean light of a pixel: its samples, each normalised and lit, for the material that was set
+// last.
 class FootprintLight {
  public:
-  FootprintLight(const LightState& light, Shininess shininess, bool has_specular)
-      : light_(light), cosine_(light), power_(shininess), has_specular_(has_specular) {}
+  explicit FootprintLight(const LightState& light)
+      : light_(light), cosine_(light), power_(Shininess::FromRaw(1 << Shininess::kFraction)) {}
+
+  void SetMaterial(const Material& material) {
+    const auto raw = static_cast<uint32_t>(material.shininess.raw());
+    if (raw != power_.raw_shininess()) power_ = BlinnSpecular(material.shininess);
+    material_ = material;
+    has_specular_ = std::any_of(material.specular.begin(), material.specular.end(),
+                                [](Reflectance r) { return r.raw() != 0; });
+  }
+  PixelCodes CodesOf(const FootprintMean::Light& mean) const {
+    return RgbCombine::Of(mean.diffuse, mean.highlight, material_);
+  }
 
   // Of the pixel whose centre has this normal.
   FootprintMean::Light Mean(FootprintPattern pattern, const std::array<Quantity, 3>& centre,
@@ -46,7 +61,8 @@ class FootprintLight {
   LightState light_;
   SpecularCosine cosine_;
   BlinnSpecular power_;
-  bool has_specular_;
+  Material material_;
+  bool has_specular_ = false;
 };
 
 }  // namespace shading

@@ -154,6 +154,16 @@ FootprintOffset OffsetOf(const Raw& normal, const Raw& margin) {
 
 }  // namespace
 
+VertexWeights FootprintSetup::WeightsOf(const std::array<VertexDepth, 3>& z, DepthSlope slope) {
+  if (slope.raw() == 0) return kNoPerspective;
+  constexpr int kFraction = VertexDepth::kFraction + DepthSlope::kFraction;
+  VertexWeights inverse;  // of the distance, at least 2^-24
+  for (size_t i = 0; i < 3; ++i) inverse[i] = (int64_t{1} << kFraction) - slope.raw() * z[i].raw();
+  const int64_t largest = *std::max_element(inverse.begin(), inverse.end());
+  for (int64_t& w : inverse) w = RoundDivide(static_cast<Int128>(w) << kNormal, largest);
+  return inverse;
+}
+
 Margins FootprintSetup::Result::At(int columns, int rows) const {
   return {RoundedMargin(margin[0].At(columns, rows)), RoundedMargin(margin[1].At(columns, rows)),
           RoundedMargin(margin[2].At(columns, rows))};

@@ -63,6 +63,9 @@ class FootprintSetup {
 
   explicit FootprintSetup(const Options& options) : options_(options) {}
 
+  // 1 - slope z of each vertex, over the largest, rounded to nearest.
+  static VertexWeights WeightsOf(const std::array<VertexDepth, 3>& z, DepthSlope slope);
+
   Result Of(const TrianglePacket& packet, const TriangleGeometry& geometry,
             const Material& material, int x, int y,
             const VertexWeights& weights = kNoPerspective) const;

@@ -15,7 +15,6 @@ enum class Subdivide { kNever, kReport, kSplit };
 struct FrontEndOptions {
   Tolerance tolerance = Tolerance::FromRaw(int64_t{1} << (Tolerance::kFraction - 1));  // 1/2 code
   Subdivide subdivide = Subdivide::kNever;
-  bool footprint = false;  // paper 003's surfaces: means over a pixel's footprint, paper 001
 };
 
 // Triangle packets to the commands of the shading unit, integers only: set-up, span walk, vertex
@@ -38,6 +37,9 @@ class FrontEnd {
   // False when it covers no pixel.
   bool Draw(const TrianglePacket& packet, const TriangleGeometry& geometry, uint32_t index,
             FrameWork* work) const;
+  // Footprint and folded normals of the triangle whose spans begin at `first`.
+  void SetFootprint(const TrianglePacket& packet, const TriangleGeometry& geometry, size_t first,
+                    TriangleState* triangle, FrameWork* work) const;
 
   const FrameState& frame_;
   Method method_;

@@ -98,7 +98,7 @@ void TriangleFit::FitIntensities(const Corners& corners, const Material& materia
     const SurfaceNodes nodes = NodesOf<Intensity>(corner, middle, read);
     Surface& surface = triangle->surface[ch];
     surface = SurfaceFit::Quadratic(plane, nodes);
-    if (!footprint_) continue;
+    if (method_ != Method::kQuadFootprint) continue;
     surface.f = IntensityAcc::Wrap(surface.f.raw() +
                                    SurfaceFit::FootprintMean(geometry, nodes).raw());
   }

@@ -12,9 +12,8 @@ namespace shading {
 // where opposed normals leave a middle undefined, it has the mean of the corners' values.
 class TriangleFit {
  public:
-  // footprint: the intensities of paper 003's surfaces become their means over a pixel's footprint.
-  TriangleFit(const FrameState& frame, Method method, bool footprint = false)
-      : frame_(frame), method_(method), footprint_(footprint), light_(frame) {}
+  TriangleFit(const FrameState& frame, Method method)
+      : frame_(frame), method_(method), light_(frame) {}
 
   // Fills the surfaces that the method uses, counted from pixel (x, y) of the screen.
   void Fit(const TrianglePacket& packet, const TriangleGeometry& geometry, int x, int y,
@@ -32,7 +31,6 @@ class TriangleFit {
 
   const FrameState& frame_;
   Method method_;
-  bool footprint_;
   VertexLight light_;
 };
 

@@ -14,7 +14,7 @@
 #include "Vaniso_footprint_aniso_footprint.h"
 #include "model/flow_pattern.h"
 #include "model/footprint/aniso_footprint.h"
-#include "tb/bit_packer.h"
+#include "tb/dut/pins.h"
 
 namespace shading::tb {
 
@@ -138,12 +138,7 @@ class AnisoFootprintBuildDut {
   void DriveLoad(const Span& span) {
     top_->load_i = 1;
     BitPacker<24> bits;
-    for (const Margin value : span.footprint.margin_dx) bits.Put(value);
-    for (const FootprintOffset& offset : span.footprint.offset) {
-      for (const Margin value : offset.margin) bits.Put(value);
-      for (const Quantity value : offset.normal) bits.Put(value);
-    }
-    bits.Put(static_cast<int64_t>(span.footprint.pattern), 2);
+    PutFootprint(span.footprint, bits);
     bits.Store(top_->footprint_i);
     BitPacker<3> first;
     for (const Margin value : span.first) first.Put(value);

@@ -73,7 +73,11 @@ PlaneErrors ErrorsOnPlane(double ratio, double turn, int n, int grid) {
       const double u = widest * i / (grid - 1), v = widest * j / (grid - 1);
       LightState light;
       light.half_or_view = Direction(u, v);
-      const FootprintLight unit(light, Shininess::Round(n), true);
+      FootprintLight unit(light);
+      Material material;
+      material.specular[0] = Reflectance::Round(1);
+      material.shininess = Shininess::Round(n);
+      unit.SetMaterial(material);
       const double ideal = IdealMean(plane.major, plane.minor, light.half_or_view, n);
       for (size_t p = 0; p < errors.pattern.size(); ++p) {
         const double error = 255 * std::abs(UnitMean(plane.footprint[p], unit) - ideal);

@@ -96,7 +96,8 @@ void ShadeTriangle(const FrameState& frame, const TrianglePacket& packet,
   SpanWalker::Walk(geometry, TriangleSetup::DepthPlane(geometry, packet), &spans);
   if (spans.empty()) return;
   SpanNormals::Attach(geometry, folded, SpanNormals::Interpolation::kLinear, 0, {}, &spans);
-  const FootprintLight light(LightOf(frame), frame.materials[0].shininess, true);
+  FootprintLight light(LightOf(frame));
+  light.SetMaterial(frame.materials[0]);
   for (const SpanCommand& span : spans) {
     NormalSeed seed;
     NormalSetup::Seed({}, {}, span, 1, &seed);

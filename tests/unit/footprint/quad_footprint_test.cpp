@@ -28,9 +28,7 @@ FrameState Frame() {
 }
 
 FrameWork Work(const FrameState& frame, const TrianglePacket& packet, bool footprint) {
-  FrontEndOptions options;
-  options.footprint = footprint;
-  return FrontEnd::Run({frame, {packet}}, Method::kQuad, options);
+  return FrontEnd::Run({frame, {packet}}, footprint ? Method::kQuadFootprint : Method::kQuad);
 }
 
 double ShortestAltitude(const TrianglePacket& packet) {
