@@ -3,6 +3,9 @@
 
 #include <array>
 
+#include "model/footprint/aniso_footprint.h"
+#include "model/footprint/footprint_mean.h"
+#include "model/footprint/footprint_setup.h"
 #include "model/intensity/flat_color.h"
 #include "model/intensity/gouraud_interpolator.h"
 #include "model/intensity/lane_seed.h"
@@ -60,6 +63,7 @@ inline constexpr std::array kContracts = {
     VertexLight::kContract,
     SurfaceFit::kContract,
     SpanNormals::kContract,
+    FootprintSetup::kContract,
     SpanSetup::kContract,
     SpanBinder::kContract,
     NormalSetup::kContract,
@@ -89,9 +93,11 @@ inline constexpr std::array kContracts = {
     PhongDirect::kContract,
     TaylorNormalizer::kContract,
     DuffNormalizer::kContract,
+    AnisoFootprint::kContract,
     DotProduct::kContract,
     SpecularCosine::kContract,
     BlinnSpecular::kContract,
+    FootprintMean::kContract,
     RgbCombine::kContract,
     PixelLight::kContract,
     PixelQueue::kContract,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/footprint/footprint_mean.h"
 #include "model/light/pixel_light.h"
 #include "model/normal/normal_shader.h"
 #include "model/raster/span_setup.h"
@@ -14,6 +15,7 @@ namespace {
 // A group leaves pixel_walker in some cycle and is on offer so many cycles later.
 constexpr int64_t LightLatency(Method method) {
   return CosineLatency(method) + PixelLight::kContract.latency_cycles +
+         (IsFootprint(method) ? FootprintMean::kContract.latency_cycles : 0) +
          PixelQueue::kContract.latency_cycles;
 }
 
@@ -35,7 +37,7 @@ ShadingClock::ShadingClock(Method method, int lanes, FlowPattern source, FlowPat
       normal_setup_(NormalSetup::StageCount(lanes)),
       arc_setup_(SlerpDirectSetup::kStages),
       adaptive_(lanes) {
-  if (IsAdaptive(method)) left_.reserve(kMaxScreen);
+  if (IsAdaptive(method) || IsFootprint(method)) left_.reserve(kMaxScreen);
 }
 
 void ShadingClock::Triangle() {
@@ -96,6 +98,24 @@ void ShadingClock::Leave(int64_t groups, SpanTiming* timing) {
   walker_free_ = timing->last_left;
 }
 
+void ShadingClock::LeaveFootprints(int64_t groups, int samples, SpanTiming* timing) {
+  left_.clear();
+  walker_free_ = seed_taken_;
+  for (int64_t i = 0; i < groups; ++i) {
+    const Lit lit = Light(walker_free_ + samples, 1);
+    if (i == 0) {
+      timing->first_valid = lit.first_valid;
+      timing->sink_rank = lit.sink_rank;
+    }
+    timing->setup += lit.first_valid - 1 - std::max(timing->accepted, last_left_);
+    timing->stall += lit.last_left - lit.first_valid;
+    left_.push_back(lit.last_left);
+    last_left_ = lit.last_left;
+    walker_free_ = lit.last_entered;
+  }
+  timing->last_left = last_left_;
+}
+
 SpanTiming ShadingClock::AdaptiveSpan(int setup_cycles,
                                       const std::vector<AdaptiveSegment>& segments, bool last) {
   SpanTiming timing;
@@ -124,7 +144,7 @@ SpanTiming ShadingClock::AdaptiveSpan(int setup_cycles,
   return timing;
 }
 
-SpanTiming ShadingClock::Span(int length, int rows, bool last) {
+SpanTiming ShadingClock::Span(int length, int rows, bool last, int samples) {
   SpanTiming timing;
   const int64_t offered = source_.Next(span_taken_ + 1);
   const int64_t seed_offered = InterpolatesNormals(method_) ? OfferNormalSeed(offered, last)
@@ -133,6 +153,10 @@ SpanTiming ShadingClock::Span(int length, int rows, bool last) {
   if (method_ != Method::kSlerpDirect) normal_seed_taken_ = seed_taken_;
   timing.accepted = span_taken_;
   const int64_t groups = (length + lanes_ - 1) / lanes_;
+  if (IsFootprint(method_)) {
+    LeaveFootprints(groups, samples, &timing);
+    return timing;
+  }
   Leave(groups, &timing);
   timing.setup = timing.first_valid - 1 - std::max(timing.accepted, last_left_);
   timing.stall = timing.last_left - timing.first_valid + 1 - groups;

@@ -32,6 +32,7 @@ struct SpanTiming {
 //   normal_setup   accepts in a, passes from stage to stage every 8 cycles, offers likewise
 //   pixel_walker   takes the seed in t, offers the first group of lanes in t + 1
 //   light          takes a group when pixel_queue has room and offers it a fixed time later
+//   footprints     a group's samples come cycle by cycle; with the last one it enters the queue
 //   adaptive       accepts in a, gives groups to the light segment by segment: AdaptiveClock
 //
 // The source pattern says in which cycles a new triangle or span command may appear; once on offer
@@ -42,11 +43,12 @@ class ShadingClock {
 
   void Triangle();  // the next triangle command; its spans follow
   // rows: from the span before in the same triangle, 0 for the first.
-  SpanTiming Span(int length, int rows, bool last);
+  // samples: cycles of a group at the light, footprint methods.
+  SpanTiming Span(int length, int rows, bool last, int samples = 1);
   // The same of an adaptive method. first_valid and sink_rank are those of its first segment.
   SpanTiming AdaptiveSpan(int setup_cycles, const std::vector<AdaptiveSegment>& segments,
                           bool last);
-  // The cycle in which a group of the latest span of an adaptive method left.
+  // The cycle in which a group of the latest span of an adaptive or footprint method left.
   int64_t LeftOf(int64_t group) const { return left_[static_cast<size_t>(group)]; }
 
   const FlowPattern& sink() const { return sink_; }
@@ -62,6 +64,8 @@ class ShadingClock {
   };
   Lit Light(int64_t offered, int64_t groups);
   void Leave(int64_t groups, SpanTiming* timing);
+  // Group by group: each enters with its last sample.
+  void LeaveFootprints(int64_t groups, int samples, SpanTiming* timing);
 
   Method method_;
   int lanes_;
@@ -75,7 +79,7 @@ class ShadingClock {
   StageClock normal_setup_;
   StageClock arc_setup_;
   AdaptiveClock adaptive_;
-  std::vector<int64_t> left_;      // of the groups of the latest span, adaptive methods
+  std::vector<int64_t> left_;      // of the groups of the latest span: LeftOf
   int64_t normal_seed_taken_ = 0;  // of normal_setup, by slerp_direct_setup or pixel_walker
   int64_t seed_taken_ = 0;         // by pixel_walker
   int64_t walker_free_ = 0;        // the last group of the span before leaves pixel_walker

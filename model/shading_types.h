@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "model/fixed/fixed.h"
+#include "model/footprint/footprint_types.h"
 #include "model/normal/normal_types.h"
 
 namespace shading {
@@ -39,6 +40,7 @@ enum class Method {
   kQuadThirdDifference,
   kQuadSegment,
   kQuadDifference,
+  kQuadFootprint,
   kQuadSplit,
   kQuadCosine,
   kPhong,
@@ -50,9 +52,11 @@ enum class Method {
   kSlerpDirect,
   kAdaptive,
   kAdaptivePaper,
-  kAdaptiveChord
+  kAdaptiveChord,
+  kFootprint,
+  kFootprintPaper
 };
-inline constexpr int kMethodCount = 23;
+inline constexpr int kMethodCount = 26;
 inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {"flat",
                                                                             "gouraud",
                                                                             "quad",
@@ -64,6 +68,7 @@ inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {"fla
                                                                             "quad-third-difference",
                                                                             "quad-segment",
                                                                             "quad-difference",
+                                                                            "quad-footprint",
                                                                             "quad-split",
                                                                             "quad-cosine",
                                                                             "phong",
@@ -75,7 +80,9 @@ inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {"fla
                                                                             "slerp-direct",
                                                                             "adaptive",
                                                                             "adaptive-paper",
-                                                                            "adaptive-chord"};
+                                                                            "adaptive-chord",
+                                                                            "footprint",
+                                                                            "footprint-paper"};
 inline constexpr std::string_view Name(Method method) {
   return kMethodNames[static_cast<size_t>(method)];
 }
@@ -93,13 +100,17 @@ constexpr bool InterpolatesNormals(Method method) { return method > Method::kQua
 // Methods that light every pixel; the others interpolate intensities.
 constexpr bool LightsPixels(Method method) { return method >= Method::kQuadCosine; }
 constexpr bool IsSpherical(Method method) {
-  return method >= Method::kSlerp && method != Method::kAdaptiveChord;
+  return method >= Method::kSlerp && method < Method::kAdaptiveChord;
 }
 // Methods whose normals come from adaptive_normalizer, not from recurrences of normal_setup.
-constexpr bool IsAdaptive(Method method) { return method >= Method::kAdaptive; }
-// Methods that show the surface of paper 003 (2) and differ in how they compute a row.
+constexpr bool IsAdaptive(Method method) {
+  return method >= Method::kAdaptive && method <= Method::kAdaptiveChord;
+}
+// Methods that light several samples of a pixel and show their mean.
+constexpr bool IsFootprint(Method method) { return method >= Method::kFootprint; }
+// Methods that show the surface of paper 003 (2) and differ in how they compute a row, and its mean.
 constexpr bool IsQuadRow(Method method) {
-  return method >= Method::kQuad && method <= Method::kQuadDifference;
+  return method >= Method::kQuad && method <= Method::kQuadFootprint;
 }
 // Of these, the ones that evaluate the polynomial anew for every pixel.
 constexpr bool IsPointForm(Method method) {
@@ -128,6 +139,7 @@ struct TriangleState {
   DepthAcc dz_dx;                  // depth step per pixel
   int material = 0;                // methods that light every pixel
   AngleLimit limit;                // adaptive methods
+  Footprint footprint;             // footprint methods
   std::array<Surface, kChannels> surface;        // intensity; quad-split: diffuse, no half code
   std::array<Surface, kChannels> specular;       // quad-split, no half code
   std::array<IntensityAcc, kChannels> ambient;   // quad-split, with the half code
@@ -141,6 +153,7 @@ struct SpanCommand {
   DepthAcc z;         // depth at the first pixel's centre, plus half an ulp of Depth
   bool last = false;  // last span of its triangle
   std::array<SpanNormal, 2> normal = {};  // at its first and last pixel; phong and slerp methods
+  Margins margin = {};                    // at its first pixel; footprint-paper
 };
 
 // Row start, row start of the next pixel and differences of one channel: paper 003 (9), (3).

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "model/footprint/footprint_shader.h"
 #include "model/intensity/flat_color.h"
 #include "model/intensity/gouraud_interpolator.h"
 #include "model/intensity/lane_seed.h"
@@ -126,6 +127,31 @@ void ShadingUnit::LightSpan(Shader shader, Pixel* pixels) {
   pixels[length - 1].last = 1;
 }
 
+// Mean of the samples' light, pixel by pixel.
+template <int kLanes>
+void ShadingUnit::LightFootprints(const SpanCommand& span, Pixel* pixels) {
+  FootprintShader<kLanes> shader(seed_.normal, triangle_->footprint, span.margin);
+  PixelWalker walker(seed_);
+  size_t lane = 0;
+  for (int i = 0; i < span.length; ++i, walker.Step()) {
+    const FootprintMean::Light mean = shader.Mean(lane, sample_light_);
+    const PixelCodes codes = sample_light_.CodesOf(mean);
+    WritePosition(walker, pixels + i);
+    WriteColor(codes.r, codes.g, codes.b, pixels + i);
+    counters_.unlit += mean.unlit;
+    counters_.no_highlight += mean.skipped;
+    if (++lane < kLanes) continue;
+    lane = 0;
+    shader.Step();
+  }
+  pixels[span.length - 1].last = 1;
+  const int64_t taken = shader.taken();
+  const int64_t positions = SampleCount(triangle_->footprint.pattern);
+  counters_.samples_taken += taken;
+  counters_.samples_excluded += span.length * positions - taken;
+  counters_.samples_saved += span.length * (kMostSamples - positions);
+}
+
 template <int kLanes>
 void ShadingUnit::LightPixels(const SpanCommand& span, Pixel* pixels) {
   if (work_.method == Method::kQuadCosine) {
@@ -139,6 +165,7 @@ void ShadingUnit::LightPixels(const SpanCommand& span, Pixel* pixels) {
   }
   NormalSetup::Seed(SetupKindOf(work_.method), work_.light, span, kLanes, &seed_.normal);
   const NormalSeed& seed = seed_.normal;
+  if (IsFootprint(work_.method)) return LightFootprints<kLanes>(span, pixels);
   switch (work_.method) {
     case Method::kPhong: return LightSpan<kLanes>(LinearShader<PhongDirect, kLanes>(seed), pixels);
     case Method::kPhongTaylor:
@@ -159,7 +186,8 @@ void ShadingUnit::ShadeIntensities(Pixel* pixels) const {
   switch (work_.method) {
     case Method::kFlat: return ShadeCurve<FlatColor>(seed, pixels);
     case Method::kGouraud: return ShadeCurve<GouraudInterpolator>(seed, pixels);
-    case Method::kQuad: return ShadeCurve<QuadSurface>(seed, pixels);
+    case Method::kQuad:
+    case Method::kQuadFootprint: return ShadeCurve<QuadSurface>(seed, pixels);
     case Method::kQuadPolynomial: return ShadePoints<QuadPolynomial>(seed, pixels);
     case Method::kQuadHorner: return ShadePoints<QuadHorner>(seed, pixels);
     case Method::kQuadStep: return ShadeCurve<QuadStep>(seed, pixels);
@@ -206,8 +234,9 @@ SpanTiming ShadingUnit::Span(const SpanCommand& span, Pixel* pixels) {
     SpanSetup::Seed(work_.method, *triangle_, span, &seed_);
     ShadeIntensities(pixels);
   }
+  const int samples = IsFootprint(work_.method) ? SampleCount(triangle_->footprint.pattern) : 1;
   const SpanTiming timing = adaptive ? clock_.AdaptiveSpan(setup_cycles, segments_, span.last)
-                                     : clock_.Span(span.length, span.y - row_, span.last);
+                                     : clock_.Span(span.length, span.y - row_, span.last, samples);
   row_ = span.y;
   counters_.pixels += span.length;
   counters_.stall += timing.stall;

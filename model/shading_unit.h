@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "model/footprint/footprint_light.h"
 #include "model/frame_work.h"
 #include "model/light/pixel_light.h"
 #include "model/raster/span_setup.h"
@@ -21,11 +22,15 @@ struct Counters {
   int64_t no_highlight = 0;  // pixels whose power was not computed; the same
   int64_t normalised = 0;    // normalisations of spans; adaptive methods
   int64_t skipped = 0;       // pixels less those, span by span and not below 0; the same
+  int64_t samples_taken = 0;     // samples that were lit; footprint methods
+  int64_t samples_excluded = 0;  // samples outside the enlarged triangle; the same
+  int64_t samples_saved = 0;     // of 7 a pixel, those that were not wanted; the same
 
   friend bool operator==(const Counters& a, const Counters& b) {
     return a.pixels == b.pixels && a.stall == b.stall && a.setup == b.setup && a.unlit == b.unlit &&
            a.no_highlight == b.no_highlight && a.normalised == b.normalised &&
-           a.skipped == b.skipped;
+           a.skipped == b.skipped && a.samples_taken == b.samples_taken &&
+           a.samples_excluded == b.samples_excluded && a.samples_saved == b.samples_saved;
   }
 };
 
@@ -50,7 +55,8 @@ class ShadingUnit {
       : work_(work),
         paper_fraction_bits_(paper_fraction_bits),
         clock_(work.method, lanes, std::move(source), std::move(sink)),
-        light_(work.light) {
+        light_(work.light),
+        sample_light_(work.light) {
     if (IsAdaptive(work.method)) segments_.reserve(kMaxScreen);
   }
 
@@ -58,7 +64,9 @@ class ShadingUnit {
   void Triangle(const TriangleState& triangle) {
     triangle_ = &triangle;
     if (LightsPixels(work_.method)) {
-      light_.SetMaterial(work_.materials[static_cast<size_t>(triangle.material)]);
+      const Material& material = work_.materials[static_cast<size_t>(triangle.material)];
+      light_.SetMaterial(material);
+      if (IsFootprint(work_.method)) sample_light_.SetMaterial(material);
     }
     clock_.Triangle();
     row_ = triangle.origin_y;
@@ -70,7 +78,7 @@ class ShadingUnit {
   // The cycle in which pixel i of the latest span left.
   int64_t CycleOf(const SpanTiming& timing, int i) const {
     const int64_t group = clock_.lanes() == 1 ? i : i / clock_.lanes();
-    if (IsAdaptive(work_.method)) return clock_.LeftOf(group);
+    if (IsAdaptive(work_.method) || IsFootprint(work_.method)) return clock_.LeftOf(group);
     return clock_.sink().always() ? timing.first_valid + group
                                   : clock_.sink().Select(timing.sink_rank + group);
   }
@@ -85,11 +93,14 @@ class ShadingUnit {
   void ShadeIntensities(Pixel* pixels) const;
   template <int kLanes, typename Shader>
   void LightSpan(Shader shader, Pixel* pixels);
+  template <int kLanes>
+  void LightFootprints(const SpanCommand& span, Pixel* pixels);
 
   const FrameWork& work_;
   int paper_fraction_bits_;
   ShadingClock clock_;
   PixelLight light_;
+  FootprintLight sample_light_;
   const TriangleState* triangle_ = nullptr;
   int row_ = 0;  // of the latest span
   std::vector<AdaptiveSegment> segments_;  // likewise

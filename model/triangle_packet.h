@@ -16,6 +16,8 @@ using NormalComponent = S<1, 22>;  // component of a unit vector
 using Reflectance = U<1, 16>;      // coefficient times light colour, 0..1
 using Shininess = U<9, 7>;         // exponent n, 1..256
 
+using DepthSlope = U<0, 24>;       // 1 / distance of depth z is in proportion to 1 - slope z
+
 using Vector3 = std::array<NormalComponent, 3>;
 using Rgb = std::array<Reflectance, 3>;
 
@@ -34,6 +36,7 @@ struct FrameState {
   Vector3 light, half, view;
   Lighting lighting = Lighting::kBlinn;
   Cull cull = Cull::kBack;
+  DepthSlope depth_slope;  // 0 without perspective
   std::vector<Material> materials;
 };
 

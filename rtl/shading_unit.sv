@@ -16,6 +16,7 @@
 //           never spans two spans.
 // Model     model/shading_unit.h      Doc  docs/units/shading_unit.md
 module shading_unit
+  import footprint_pkg::*;
   import light_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
@@ -56,7 +57,7 @@ module shading_unit
   frame_t frame_q;
   logic   is_lit;                  // the frame lights every pixel
   logic   is_adaptive;
-  logic   seeds_ready;
+  logic   seeds_ready, span_inside;
   assign is_lit           = is_any_of(Methods, frame_q.method, LitMethods);
   assign is_adaptive      = is_any_of(Methods, frame_q.method, AdaptiveMethods);
   assign triangle_gate    = frame_valid_q && !frame_valid_i;
@@ -79,6 +80,8 @@ module shading_unit
   kappa_t                                     kappa;
   kappa_t [1:0]                               step_kappa;
   arc_t                                       arc;      // slerp-direct
+  span_footprint_t                            footprint;
+  sample_counters_t                           samples;
   pixel_normal_t [Lanes-1:0][Components-1:0]  group;    // adaptive methods
   logic                                       group_valid, group_ready, count_valid;
   span_length_t                               normalised, skipped;
@@ -100,9 +103,9 @@ module shading_unit
     .cosine_o        (cosine),
     .quantity_o      (quantity),
     .length_o        (length),
-    .kappa_o         (kappa),
-    .step_kappa_o    (step_kappa),
+    .kappa_o(kappa), .step_kappa_o(step_kappa),
     .arc_o           (arc),
+    .footprint_o     (footprint),
     .group_valid_o   (group_valid),
     .group_ready_i   (group_ready),
     .group_o         (group),
@@ -170,9 +173,8 @@ module shading_unit
       .index_i       (material),
       .quantity_i    (quantity),
       .length_i      (length),
-      .kappa_i       (kappa),
-      .step_kappa_i  (step_kappa),
-      .arc_i         (arc),
+      .kappa_i(kappa), .step_kappa_i(step_kappa),
+      .arc_i(arc), .footprint_i(footprint),
       .cosine_i      (cosine),
       .group_i       (group),
       .enter_valid_i (enter_valid),
@@ -185,11 +187,12 @@ module shading_unit
       .mask_o        (lit_mask),
       .unlit_o       (unlit),
       .no_highlight_o(no_highlight),
-      .busy_o        (queue_busy)
+      .busy_o        (queue_busy),
+      .clear_i(take_frame), .samples_o(samples)
     );
   end else begin : gen_no_lit_pixels
-    assign {lit_valid, queue_busy, queue_ready, lit_pixel, lit_mask} = '0;
-    assign {unlit, no_highlight} = '0;
+    assign {lit_valid, queue_busy, queue_ready, lit_pixel, lit_mask, unlit, no_highlight} = '0;
+    assign samples = '0;
   end
 
   assign pixel_valid_o = is_lit ? lit_valid : walker_valid;
@@ -206,7 +209,6 @@ module shading_unit
   // Frame and counters //
   ////////////////////////
 
-  logic span_inside;
   assign span_inside   = seeds_inside || (is_lit && (walker_valid || queue_busy));
   assign frame_ready_o = !seeds_busy && !walker_valid && !queue_busy;
   assign take_frame    = frame_valid_i && frame_ready_o;
@@ -228,6 +230,7 @@ module shading_unit
     .count_i       (count_valid),
     .normalised_i  (normalised),
     .skipped_i     (skipped),
+    .samples_i     (samples),
     .counters_o
   );
 

@@ -10,13 +10,13 @@ const [, , rtl, json, only] = process.argv;
 const wanted = only ? only.split(',') : null;
 const isWanted = (name) => !wanted || wanted.includes(name);
 const files = {};
-for (const folder of ['pkg', 'raster', 'intensity', 'normal', 'light', '.']) {
+for (const folder of ['pkg', 'raster', 'intensity', 'normal', 'light', 'footprint', '.']) {
   for (const name of readdirSync(`${rtl}/${folder}`)) {
     if (name.endsWith('.sv')) files[name] = readFileSync(`${rtl}/${folder}/${name}`, 'utf8');
   }
 }
-const packages = ['fixed_pkg.sv', 'light_pkg.sv', 'normal_pkg.sv', 'specular_table_pkg.sv',
-  'shading_pkg.sv'];
+const packages = ['fixed_pkg.sv', 'light_pkg.sv', 'normal_pkg.sv', 'footprint_pkg.sv',
+  'specular_table_pkg.sv', 'shading_pkg.sv'];
 const sources = [...packages, ...Object.keys(files).filter((name) => !packages.includes(name))];
 
 async function yosys(top, parameters, commands, extra = {}) {
@@ -99,15 +99,17 @@ const recurrences = [...rows.filter((name) => !['quad_polynomial', 'quad_horner'
 const units = ['flat_color', 'gouraud_interpolator', ...rows, 'quad_cosine', 'lane_seed', 'pixel_walker',
   'span_setup', 'span_binder', 'normal_setup', 'linear_recurrence', 'slerp_recurrence', 'slerp_paper',
   'length_recurrence', 'slerp_direct_setup', 'slerp_direct', 'reciprocal_sqrt', 'phong_direct',
-  'taylor_normalizer', 'duff_normalizer', 'adaptive_normalizer', 'dot_product', 'pixel_light', 'pixel_queue'];
+  'taylor_normalizer', 'duff_normalizer', 'adaptive_normalizer',
+  'aniso_footprint', 'footprint_mean', 'dot_product', 'pixel_light', 'pixel_queue'];
 // Multipliers of logic alone make the search for their path take hours.
 const slowPaths = ['normal_setup', 'slerp_direct_setup', 'phong_direct', 'taylor_normalizer', 'pixel_light',
   'duff_normalizer', 'adaptive_normalizer', 'slerp_direct', 'span_setup'];
 // One build per method: bit k of Methods is method k of method_e.
 const methods = ['flat', 'gouraud', 'quad', 'quad-polynomial', 'quad-horner', 'quad-step',
   'quad-midpoint', 'quad-three-term', 'quad-third-difference', 'quad-segment', 'quad-difference',
-  'quad-split', 'quad-cosine', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
-  'slerp-paper', 'slerp-intensity', 'slerp-direct', 'adaptive', 'adaptive-paper', 'adaptive-chord'];
+  'quad-footprint', 'quad-split', 'quad-cosine', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
+  'slerp-paper', 'slerp-intensity', 'slerp-direct', 'adaptive', 'adaptive-paper', 'adaptive-chord',
+  'footprint', 'footprint-paper'];
 const record = new Record(json, 'Yosys 0.70, slang front end', target, files);
 if (record.data.multiplier_lut4 === 0) {
   record.data.multiplier_lut4 = await multiplier();

@@ -41,7 +41,7 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
   command
       ->add_option(
           "--tolerance", w->tolerance,
-          "codes that quad-segment, the adaptive methods and --subdivide may spend, 0..15.99")
+          "codes that quad-segment, adaptive and footprint methods and --subdivide may spend, 0..15.99")
       ->check(CLI::Range(0.0, 15.99))
       ->capture_default_str();
   command

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/ideal/flat.h"
+#include "model/ideal/footprint.h"
 #include "model/ideal/gouraud.h"
 #include "model/ideal/node_surface.h"
 #include "model/ideal/phong.h"
@@ -15,6 +16,27 @@
 
 namespace shading::sim {
 namespace {
+
+// Points of a pixel's footprint are kRings^2: within 0.05 codes of 4096 of them.
+constexpr int kRings = 12;
+
+// Up to a factor; nothing without perspective.
+ideal::Footprint::Distances DistancesOf(const FrameState& frame, const TrianglePacket& packet) {
+  if (frame.depth_slope.raw() == 0) return {};
+  const auto distance = [&](size_t i) {
+    return 1 / (1 - frame.depth_slope.ToReal() * packet.z[i].ToReal());
+  };
+  return {{distance(0), distance(1), distance(2)}};
+}
+
+struct SeamlessFootprint : ideal::Footprint {
+  SeamlessFootprint(const FrameState& frame, const TrianglePacket& packet)
+      : Footprint(frame, packet, DistancesOf(frame, packet), ideal::Disc::Within(packet, kRings)) {}
+};
+struct EnlargedFootprint : ideal::PaperFootprint {
+  EnlargedFootprint(const FrameState& frame, const TrianglePacket& packet)
+      : PaperFootprint(frame, packet, DistancesOf(frame, packet), {ideal::Disc::kPixel, kRings}) {}
+};
 
 // Calls visit(pixel, ideal colour) for every covered pixel. A triangle is prepared once.
 template <typename Ideal, typename Visit>
@@ -35,6 +57,9 @@ void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, const Vi
 template <typename Visit>
 void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, Method method,
                   const Visit& visit) {
+  if (method == Method::kQuadFootprint) {
+    return ForEachPixel<ideal::QuadraticFootprint>(picture, list, visit);
+  }
   if (IsQuadRow(method)) return ForEachPixel<ideal::Quadratic>(picture, list, visit);
   if (IsSpherical(method)) return ForEachPixel<ideal::Slerp>(picture, list, visit);
   switch (method) {
@@ -43,6 +68,8 @@ void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, Method m
     case Method::kQuadSplit: return ForEachPixel<ideal::QuadSplit>(picture, list, visit);
     case Method::kQuadCosine: return ForEachPixel<ideal::QuadCosine>(picture, list, visit);
     case Method::kPhongTaylor: return ForEachPixel<ideal::PhongTaylor>(picture, list, visit);
+    case Method::kFootprint: return ForEachPixel<SeamlessFootprint>(picture, list, visit);
+    case Method::kFootprintPaper: return ForEachPixel<EnlargedFootprint>(picture, list, visit);
     default: return ForEachPixel<ideal::Phong>(picture, list, visit);
   }
 }

@@ -69,6 +69,9 @@ Json ToJson(const RunStats& run) {
   json["no_highlight"] = run.counters.no_highlight;
   json["normalised"] = run.counters.normalised;
   json["normalisations_skipped"] = run.counters.skipped;
+  json["samples_taken"] = run.counters.samples_taken;
+  json["samples_excluded"] = run.counters.samples_excluded;
+  json["samples_saved"] = run.counters.samples_saved;
   json["split_spans"] = run.split_spans;
   json["over_limit_triangles"] = run.over_limit;
   json["pieces"] = run.pieces;
@@ -97,6 +100,10 @@ std::string WorkText(const RunStats& run) {
   if (run.counters.normalised + run.counters.skipped > 0) {
     text += fmt::format("\n  {} normalisations, {} skipped", run.counters.normalised,
                         run.counters.skipped);
+  }
+  if (run.counters.samples_taken > 0) {
+    text += fmt::format("\n  {} samples taken, {} excluded, {} saved", run.counters.samples_taken,
+                        run.counters.samples_excluded, run.counters.samples_saved);
   }
   if (run.over_limit > 0) {
     text += fmt::format("\n  {} triangles turn too far for the tolerance{}", run.over_limit,
@@ -174,6 +181,9 @@ void RunStats::Add(const RunStats& other) {
   counters.no_highlight += other.counters.no_highlight;
   counters.normalised += other.counters.normalised;
   counters.skipped += other.counters.skipped;
+  counters.samples_taken += other.counters.samples_taken;
+  counters.samples_excluded += other.counters.samples_excluded;
+  counters.samples_saved += other.counters.samples_saved;
   split_spans += other.split_spans;
   over_limit += other.over_limit;
   pieces += other.pieces;

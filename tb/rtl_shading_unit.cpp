@@ -9,6 +9,8 @@
 #include "Vshading_unit_all_x4___024root.h"
 #include "Vshading_unit_flat.h"
 #include "Vshading_unit_flat___024root.h"
+#include "Vshading_unit_footprint.h"
+#include "Vshading_unit_footprint___024root.h"
 #include "Vshading_unit_gouraud.h"
 #include "Vshading_unit_gouraud___024root.h"
 #include "Vshading_unit_phong.h"
@@ -63,6 +65,8 @@ std::unique_ptr<RtlShadingUnit> RtlShadingUnit::Create(Method method, int lanes)
     case Method::kAdaptive:
     case Method::kAdaptivePaper:
     case Method::kAdaptiveChord: return OneLane<Vshading_unit_adaptive>();
+    case Method::kFootprint:
+    case Method::kFootprintPaper: return OneLane<Vshading_unit_footprint>();
     default: return OneLane<Vshading_unit_quad_forms>();
   }
 }

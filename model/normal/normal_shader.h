@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "model/footprint/footprint_shader.h"
 #include "model/light/quad_cosine_shader.h"
 #include "model/normal/adaptive_shader.h"
 #include "model/normal/linear_shader.h"
@@ -25,6 +26,8 @@ constexpr int CosineLatency(Method method) {
     case Method::kAdaptive:
     case Method::kAdaptivePaper:
     case Method::kAdaptiveChord: return AdaptiveShader<1>::kLatency;
+    case Method::kFootprint:
+    case Method::kFootprintPaper: return FootprintShader<1>::kLatency;
     default: return 0;
   }
 }

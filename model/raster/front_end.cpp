@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/footprint/footprint_setup.h"
 #include "model/normal/adaptive_normalizer.h"
 #include "model/normal/span_normals.h"
 #include "model/raster/span_walker.h"
@@ -106,7 +107,9 @@ bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geomet
     triangle.limit = LimitOf(frame_.materials[static_cast<size_t>(packet.material)],
                              options_.tolerance, frame_.lighting);
   }
-  if (InterpolatesNormals(method_)) {
+  if (IsFootprint(method_)) {
+    SetFootprint(packet, geometry, first, &triangle, work);
+  } else if (InterpolatesNormals(method_)) {
     using Interpolation = SpanNormals::Interpolation;
     work->split_spans += SpanNormals::Attach(
         geometry, packet, IsSpherical(method_) ? Interpolation::kSpherical : Interpolation::kLinear,
@@ -118,6 +121,27 @@ bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geomet
   work->packet.push_back(index);
   work->pixels += pixels;
   return true;
+}
+
+void FrontEnd::SetFootprint(const TrianglePacket& packet, const TriangleGeometry& geometry,
+                            size_t first, TriangleState* triangle, FrameWork* work) const {
+  FootprintSetup::Options options;
+  options.form =
+      method_ == Method::kFootprintPaper ? FootprintForm::kPaper : FootprintForm::kSeamless;
+  options.tolerance = options_.tolerance;
+  const FootprintSetup::Result result = FootprintSetup(options).Of(
+      packet, geometry, frame_.materials[static_cast<size_t>(packet.material)], triangle->origin_x,
+      triangle->origin_y, FootprintSetup::WeightsOf(packet.z, frame_.depth_slope));
+  triangle->footprint = result.footprint;
+  TrianglePacket folded = packet;
+  folded.n = result.vertex;
+  SpanNormals::Attach(geometry, folded, SpanNormals::Interpolation::kLinear, first, triangle->dz_dx,
+                      &work->spans);
+  if (options.form == FootprintForm::kSeamless) return;
+  for (size_t i = first; i < work->spans.size(); ++i) {
+    SpanCommand& span = work->spans[i];
+    span.margin = result.At(span.x - triangle->origin_x, span.y - triangle->origin_y);
+  }
 }
 
 }  // namespace shading

@@ -37,6 +37,9 @@ class FrontEnd {
   // False when it covers no pixel.
   bool Draw(const TrianglePacket& packet, const TriangleGeometry& geometry, uint32_t index,
             FrameWork* work) const;
+  // Footprint and folded normals of the triangle whose spans begin at `first`.
+  void SetFootprint(const TrianglePacket& packet, const TriangleGeometry& geometry, size_t first,
+                    TriangleState* triangle, FrameWork* work) const;
 
   const FrameState& frame_;
   Method method_;

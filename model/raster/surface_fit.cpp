@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/raster/surface_fit.h"
 
+#include <algorithm>
+
 #include "model/fixed/wide_integer.h"
 
 namespace shading {
@@ -83,6 +85,26 @@ Surface SurfaceFit::Quadratic(const std::array<Plane, 3>& barycentric, const Sur
 Surface SurfaceFit::Term(const std::array<Plane, 3>& barycentric,
                          const Nodes<SignedIntensity>& nodes) {
   return FitQuadratic<IntensityAcc>(barycentric, nodes, 0);
+}
+
+// With edge functions w_i, lambda_i = w_i / area: A + B = sum 4 e_ij (dw_i . dw_j) / area^2.
+IntensityAcc SurfaceFit::FootprintMean(const TriangleGeometry& geometry,
+                                       const SurfaceNodes& nodes) {
+  Int128 sum = 0, longest = 0;
+  for (size_t k = 0; k < 3; ++k) {
+    const Edge& i = geometry.edge[(k + 1) % 3];
+    const Edge& j = geometry.edge[(k + 2) % 3];
+    const int64_t bend = 4 * nodes.middle[k].raw() -
+                         2 * (nodes.corner[(k + 1) % 3].raw() + nodes.corner[(k + 2) % 3].raw());
+    sum += bend * (static_cast<Int128>(i.dx) * j.dx + static_cast<Int128>(i.dy) * j.dy);
+    longest = std::max(longest, static_cast<Int128>(i.dx) * i.dx + static_cast<Int128>(i.dy) * i.dy);
+  }
+  // 1/12 of it; with r |dw| / area limited to 1/2, 1/16 of the one for r = area / |dw|.
+  const Int128 whole = 12 * static_cast<Int128>(geometry.area) * geometry.area;
+  const Int128 divisor = std::max(whole, 16 * longest);
+  constexpr int kAlign = IntensityAcc::kFraction - Intensity::kFraction;
+  return IntensityAcc::FromRaw(static_cast<int64_t>(
+      FloorDivide<Int128>(2 * sum * (1 << kAlign) + divisor, 2 * divisor)));
 }
 
 CosineSurface SurfaceFit::OfCosine(const std::array<Plane, 3>& barycentric,

@@ -74,10 +74,11 @@ void TriangleFit::Fit(const TrianglePacket& packet, const TriangleGeometry& geom
   const auto plane = TriangleSetup::Barycentrics(geometry, x, y);
   if (method_ == Method::kQuadSplit) return FitTerms(corners, material, plane, triangle);
   if (method_ == Method::kQuadCosine) return FitCosines(corners, plane, triangle);
-  FitIntensities(corners, material, plane, triangle);
+  FitIntensities(corners, material, geometry, plane, triangle);
 }
 
 void TriangleFit::FitIntensities(const Corners& corners, const Material& material,
+                                 const TriangleGeometry& geometry,
                                  const std::array<Plane, 3>& plane, TriangleState* triangle) const {
   using Color = std::array<Intensity, kChannels>;
   const auto shade = [&](const LightCosines& cosines) { return light_.Shade(cosines, material); };
@@ -93,7 +94,12 @@ void TriangleFit::FitIntensities(const Corners& corners, const Material& materia
   const auto middle = ShadeMiddles<Color>(corners.Middles(), shade);
   for (size_t ch = 0; ch < kChannels; ++ch) {
     const auto read = [ch](const Color& color) { return color[ch]; };
-    triangle->surface[ch] = SurfaceFit::Quadratic(plane, NodesOf<Intensity>(corner, middle, read));
+    const SurfaceNodes nodes = NodesOf<Intensity>(corner, middle, read);
+    Surface& surface = triangle->surface[ch];
+    surface = SurfaceFit::Quadratic(plane, nodes);
+    if (method_ != Method::kQuadFootprint) continue;
+    surface.f =
+        IntensityAcc::Wrap(surface.f.raw() + SurfaceFit::FootprintMean(geometry, nodes).raw());
   }
 }
 

@@ -22,7 +22,8 @@ class TriangleFit {
  private:
   struct Corners;
   void FitIntensities(const Corners& corners, const Material& material,
-                      const std::array<Plane, 3>& plane, TriangleState* triangle) const;
+                      const TriangleGeometry& geometry, const std::array<Plane, 3>& plane,
+                      TriangleState* triangle) const;
   void FitTerms(const Corners& corners, const Material& material, const std::array<Plane, 3>& plane,
                 TriangleState* triangle) const;
   void FitCosines(const Corners& corners, const std::array<Plane, 3>& plane,

@@ -41,6 +41,7 @@ double TurnLimitDegrees(Method method, const Material& material, double toleranc
   const auto cosine = [&](double s) {
     return 0.036 * kd * std::pow(s / 10, 3) + ks * std::pow(s / one_code, s < one_code ? 3.2 : 4.0);
   };
+  if (method == Method::kFootprintPaper) return 30;
   if (method == Method::kGouraud) return LargestAngle(gouraud, tolerance);
   if (method == Method::kQuadCosine) {
     return std::max(LargestAngle(cosine, tolerance), LargestAngle(quad, tolerance));

@@ -20,8 +20,10 @@ namespace shading {
 //                      ks (s / s1)^p reaches T, s1 = 22.5 (8 / max(n, 8))^0.21, p = 3.2, and 4
 //                      above s1
 //
+//   footprint-paper    30: then two of its enlarged normals are at most 90 degrees apart
+//
 // At most 75, for the errors rise faster beyond. 180 where T is more than the light itself, and for
-// flat and the methods that interpolate normals: they are never subdivided.
+// flat and the other methods that interpolate normals: they are never subdivided.
 double TurnLimitDegrees(Method method, const Material& material, double tolerance);
 
 // The same as Subdivision takes it: the square of the chord, in 2^-44. The angle is rounded down to

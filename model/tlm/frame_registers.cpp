@@ -82,11 +82,13 @@ DeviceError DecodeFrame(const RegisterFile& registers, FrameSetup* setup) {
     return DeviceError::kState;
   }
   const uint32_t tolerance = registers.Get(OffsetOf("TOLERANCE"));
-  if (tolerance > Tolerance::kMaxRaw) return DeviceError::kState;
+  const uint32_t slope = registers.Get(OffsetOf("DEPTH_SLOPE"));
+  if (tolerance > Tolerance::kMaxRaw || slope > DepthSlope::kMaxRaw) return DeviceError::kState;
   setup->tolerance = Tolerance::FromRaw(tolerance);
   FrameState& state = setup->state;
   state.lighting = static_cast<Lighting>(lighting);
   state.cull = static_cast<Cull>(cull);
+  state.depth_slope = DepthSlope::FromRaw(slope);
 
   const uint32_t width = registers.Get(OffsetOf("WIDTH"));
   const uint32_t height = registers.Get(OffsetOf("HEIGHT"));

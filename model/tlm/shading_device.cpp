@@ -222,6 +222,9 @@ void ShadingDevice::SetCounters(const CoreResult& result, uint64_t written) {
   set(OffsetOf("SKIPPED_EMPTY"), frame_work_.skipped.empty);
   set(OffsetOf("NORMALISED"), result.counters.normalised);
   set(OffsetOf("NORMALISED_SKIPPED"), result.counters.skipped);
+  set(OffsetOf("SAMPLES_TAKEN"), result.counters.samples_taken);
+  set(OffsetOf("SAMPLES_EXCLUDED"), result.counters.samples_excluded);
+  set(OffsetOf("SAMPLES_SAVED"), result.counters.samples_saved);
 }
 
 // Also wakes a writer that nobody makes room for any more.

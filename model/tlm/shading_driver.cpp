@@ -14,6 +14,7 @@ void ShadingDriver::Start(const FrameState& frame, Method method, const FrameBuf
   WriteVector(OffsetOf("LIGHT_X"), frame.light);
   WriteVector(OffsetOf("HALF_X"), frame.half);
   WriteVector(OffsetOf("VIEW_X"), frame.view);
+  WriteWord(OffsetOf("DEPTH_SLOPE"), static_cast<uint32_t>(frame.depth_slope.raw()));
 
   WriteWord(OffsetOf("MATERIAL_COUNT"), static_cast<uint32_t>(frame.materials.size()));
   // A longer list is refused as a whole by START.

@@ -53,7 +53,7 @@ module surface_shader
         end else if (m == MethodGouraud) begin : gen_gouraud
           gouraud_interpolator u_gouraud_interpolator (
             .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
-        end else if (m == MethodQuad) begin : gen_quad
+        end else if (m == MethodQuad || m == MethodQuadFootprint) begin : gen_quad
           quad_surface u_quad_surface (
             .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
         end else if (m == MethodQuadPolynomial) begin : gen_polynomial

@@ -3,6 +3,7 @@
 // Pixels of the methods that light every pixel, from the walker's positions on.
 //
 //   load, step -> normal_shader -> cosines -> pixel_light -> code -> pixel_queue -> pixel
+//   walker     -> normal_shader, which holds a group until its last sample -> pixel_queue
 //
 // Timing    From a group that enters to its offer: normal_shader + pixel_light + 1 cycles. The
 //           light never stops; pixel_queue admits what it can hold.
@@ -11,6 +12,7 @@
 // Error     That of the units on the way.
 // Model     LightSpan in model/shading_unit.cpp      Doc  docs/units/shading_unit.md
 module lit_pixels
+  import footprint_pkg::*;
   import light_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
@@ -36,6 +38,7 @@ module lit_pixels
   input  kappa_t                                     kappa_i,
   input  kappa_t [1:0]                               step_kappa_i,
   input  arc_t                                       arc_i,
+  input  span_footprint_t                            footprint_i,
   input  curve_seed_t [Cosines-1:0]                  cosine_i,
   input  pixel_normal_t [Lanes-1:0][Components-1:0]  group_i,   // adaptive methods, from the walker
 
@@ -51,9 +54,13 @@ module lit_pixels
   output logic   [Lanes-1:0] mask_o,
   output logic   [Lanes-1:0] unlit_o,
   output logic   [Lanes-1:0] no_highlight_o,
+  input  logic               clear_i,     // the samples
+  output sample_counters_t   samples_o,
   output logic               busy_o
 );
-  logic                            cosines_valid, code_valid;
+  logic                            cosines_valid, code_valid, queue_valid, queue_ready, is_footprint;
+  sample_place_t                   place;      // of the cosines
+  logic  [Lanes-1:0]               live;
   cosines_t [Lanes-1:0]            cosines;
   code_t [Lanes-1:0][Channels-1:0] code;
   logic  [Lanes-1:0]               unlit, no_highlight;
@@ -64,17 +71,29 @@ module lit_pixels
   normal_shader #(.Methods(Methods), .Lanes(Lanes)) u_normal_shader (
     .clk_i, .rst_ni, .method_i, .light_i,
     .load_i, .step_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i, .cosine_i, .group_i,
-    .valid_i  (enter_valid_i && enter_ready_o),
-    .valid_o  (cosines_valid),
-    .cosines_o(cosines)
+    .footprint_i,
+    .pixel_valid_i(enter_valid_i),
+    .pixel_ready_o(enter_ready_o),
+    .mask_i,
+    .enter_valid_o(queue_valid),
+    .enter_ready_i(queue_ready),
+    .valid_o      (cosines_valid),
+    .cosines_o    (cosines),
+    .place_o      (place),
+    .live_o       (live),
+    .clear_i, .samples_o
   );
 
-  pixel_light #(.Lanes(Lanes)) u_pixel_light (
+  assign is_footprint = is_any_of(Methods, method_i, FootprintMethods);
+  pixel_light #(.HasMean(|(Methods & FootprintMethods)), .Lanes(Lanes)) u_pixel_light (
     .clk_i, .rst_ni, .light_i,
     .material_valid_i, .material_index_i, .material_i,
     .valid_i       (cosines_valid),
     .index_i       (cosines_index),
     .cosines_i     (cosines),
+    .is_mean_i     (is_footprint),
+    .place_i       (place),
+    .live_i        (live),
     .valid_o       (code_valid),
     .code_o        (code),
     .unlit_o       (unlit),
@@ -83,9 +102,11 @@ module lit_pixels
 
   pixel_queue #(.Lanes(Lanes)) u_pixel_queue (
     .clk_i, .rst_ni,
-    .enter_valid_i, .enter_ready_o, .position_i, .mask_i,
+    .enter_valid_i  (queue_valid),
+    .enter_ready_o  (queue_ready),
+    .position_i, .mask_i,
     .material_i     (index_q),
-    .cosines_valid_i(cosines_valid),
+    .cosines_valid_i(cosines_valid && place.last),
     .material_o     (cosines_index),
     .code_valid_i   (code_valid),
     .code_i         (code),

@@ -5,15 +5,21 @@
 //   I = ka + kd (N.L) + ks (N.H)^n                     LightingBlinn
 //   I = ka + kd (N.L) + ks (R.V)^n                     LightingPhong
 //
-// Timing    Latency 13 cycles, a group of Lanes pixels a cycle, never stalls. A material is written
-//           at any time when no pixel is inside; the next cycle may bring its first pixel.
+// With is_mean_i the pixels are samples, and diffuse factor and highlight are the mean of a pixel's
+// samples, paper 001.
+//
+// Timing    Latency 13 cycles, a group of Lanes pixels a cycle, never stalls; 16 from a pixel's last
+//           sample. A material is written at any time when no pixel is inside; the next cycle may
+//           bring its first pixel.
 // Formats   cosines S1.30, material U1.16 and U9.7, code U8.0.
 // Error     0.504 codes against real cosines of unit vectors and the same material: half a
 //           code is the rounding to a code.
 // Model     model/light/pixel_light.h      Doc  docs/units/light/pixel_light.md
 module pixel_light
+  import footprint_pkg::*;
   import light_pkg::*;
 #(
+  parameter bit HasMean = 1'b1,
   parameter int unsigned Lanes = 1
 ) (
   input  logic                              clk_i,
@@ -27,6 +33,9 @@ module pixel_light
   input  logic                              valid_i,
   input  material_index_t                   index_i,
   input  cosines_t [Lanes-1:0]              cosines_i,
+  input  logic                              is_mean_i,         // stable while pixels are inside
+  input  sample_place_t                     place_i,           // samples: all lanes alike
+  input  logic [Lanes-1:0]                  live_i,            // samples: not excluded
 
   output logic                              valid_o,
   output code_t [Lanes-1:0][Channels-1:0]   code_o,
@@ -35,7 +44,9 @@ module pixel_light
 );
   localparam int unsigned CosineLatency = 2;
   localparam int unsigned PowerLatency = 8;
+  localparam int unsigned MeanLatency = 3;
   localparam int unsigned CombineLatency = 3;
+  localparam int unsigned LightLatency = CosineLatency + PowerLatency;
   localparam int unsigned Latency = CosineLatency + PowerLatency + CombineLatency;
 
   // What the power needs of a material.
@@ -48,10 +59,16 @@ module pixel_light
   material_t color_table [NumMaterials];   // shininess is not read
 
   // Stage k holds what came k + 1 cycles ago. The index is needed until the colour is read, one
-  // cycle before it is combined.
-  logic [Latency-2:0]                                valid_q;
-  material_index_t [CosineLatency+PowerLatency-2:0]  index_q;
-  specular_t                                         specular_q;
+  // cycle before it is combined: of a pixel, or of its last sample.
+  localparam int unsigned IndexStages = LightLatency - 1 + (HasMean ? MeanLatency : 0);
+  logic [Latency-2:0]                valid_q;
+  material_index_t [IndexStages-1:0] index_q;
+  logic                              is_mean, read_color;
+  material_index_t                   color_index;
+  assign is_mean     = HasMean && is_mean_i;
+  assign read_color  = valid_q[is_mean ? IndexStages - 1 : LightLatency - 2];
+  assign color_index = index_q[is_mean ? IndexStages - 1 : LightLatency - 2];
+  specular_t                                            specular_q;
   material_t                                         color_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -68,13 +85,27 @@ module pixel_light
 
   always_ff @(posedge clk_i) begin
     if (valid_i) index_q[0] <= index_i;
-    for (int unsigned k = 1; k < CosineLatency + PowerLatency - 1; k++) begin
+    for (int unsigned k = 1; k < IndexStages; k++) begin
       if (valid_q[k-1]) index_q[k] <= index_q[k-1];
     end
     if (valid_q[CosineLatency-2]) specular_q <= specular_table[index_q[CosineLatency-2]];
-    if (valid_q[CosineLatency+PowerLatency-2]) begin
-      color_q <= color_table[index_q[CosineLatency+PowerLatency-2]];
+    if (read_color) color_q <= color_table[color_index];
+  end
+
+  // Of the sample whose light comes now.
+  sample_place_t    place;
+  logic [Lanes-1:0] live;
+  if (HasMean) begin : g_place
+    sample_place_t [LightLatency-1:0]            place_q;
+    logic          [LightLatency-1:0][Lanes-1:0] live_q;
+    always_ff @(posedge clk_i) begin
+      place_q <= {place_q[LightLatency-2:0], place_i};
+      live_q  <= {live_q[LightLatency-2:0], live_i};
     end
+    assign place = place_q[LightLatency-1];
+    assign live  = live_q[LightLatency-1];
+  end else begin : g_no_place
+    assign {place, live} = '0;
   end
 
   logic [Lanes-1:0] lane_valid;            // all alike
@@ -85,9 +116,14 @@ module pixel_light
     cosine_t    specular;
     highlight_t highlight;
 
-    diffuse_t [PowerLatency-1:0]                diffuse_q;
-    logic     [PowerLatency+CombineLatency-1:0] unlit_q;
-    logic     [CombineLatency-1:0]              skipped_q;
+    diffuse_t [PowerLatency-1:0]   diffuse_q;
+    logic     [PowerLatency-1:0]   unlit_q;
+    logic     [CombineLatency-1:0] combine_unlit_q, combine_skipped_q;
+
+    // What is combined: of the pixel, or the mean of its samples.
+    logic       mean_valid, mean_unlit, mean_skipped;
+    diffuse_t   mean_diffuse;
+    highlight_t mean_highlight;
 
     specular_cosine u_specular_cosine (
       .clk_i, .rst_ni, .light_i, .valid_i, .cosines_i(cosines_i[lane]),
@@ -106,18 +142,34 @@ module pixel_light
       for (int unsigned k = 1; k < PowerLatency; k++) begin
         if (valid_q[CosineLatency+k-1]) diffuse_q[k] <= diffuse_q[k-1];
       end
-      unlit_q   <= {unlit_q[PowerLatency+CombineLatency-2:0], unlit};
-      skipped_q <= {skipped_q[CombineLatency-2:0], skipped};
+      unlit_q           <= {unlit_q[PowerLatency-2:0], unlit};
+      combine_unlit_q   <= {combine_unlit_q[CombineLatency-2:0],
+                            is_mean ? mean_unlit : unlit_q[PowerLatency-1]};
+      combine_skipped_q <= {combine_skipped_q[CombineLatency-2:0],
+                            is_mean ? mean_skipped : skipped};
+    end
+
+    if (HasMean) begin : g_mean
+      footprint_mean u_footprint_mean (
+        .clk_i, .rst_ni, .valid_i(power_valid && is_mean_i), .place_i(place), .live_i(live[lane]),
+        .diffuse_i(diffuse_q[PowerLatency-1]), .highlight_i(highlight),
+        .unlit_i(unlit_q[PowerLatency-1]), .skipped_i(skipped),
+        .valid_o(mean_valid), .diffuse_o(mean_diffuse), .highlight_o(mean_highlight),
+        .unlit_o(mean_unlit), .skipped_o(mean_skipped)
+      );
+    end else begin : g_no_mean
+      assign {mean_valid, mean_unlit, mean_skipped, mean_diffuse, mean_highlight} = '0;
     end
 
     rgb_combine u_rgb_combine (
-      .clk_i, .rst_ni, .valid_i(power_valid), .diffuse_i(diffuse_q[PowerLatency-1]),
-      .highlight_i(highlight), .material_i(color_q),
+      .clk_i, .rst_ni, .valid_i(is_mean ? mean_valid : power_valid),
+      .diffuse_i(is_mean ? mean_diffuse : diffuse_q[PowerLatency-1]),
+      .highlight_i(is_mean ? mean_highlight : highlight), .material_i(color_q),
       .valid_o(lane_valid[lane]), .code_o(code_o[lane])
     );
 
-    assign unlit_o[lane]        = unlit_q[PowerLatency+CombineLatency-1];
-    assign no_highlight_o[lane] = skipped_q[CombineLatency-1];
+    assign unlit_o[lane]        = combine_unlit_q[CombineLatency-1];
+    assign no_highlight_o[lane] = combine_skipped_q[CombineLatency-1];
   end
 
   assign valid_o = lane_valid[0];

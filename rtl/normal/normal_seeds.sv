@@ -4,6 +4,7 @@
 //
 //   triangle, span -> span_binder -> normal_setup (-> slerp_direct_setup for slerp-direct) -> seed
 //                                 -> adaptive_normalizer -> run, normals of the pixels
+//                                 -> footprint_queue beside normal_setup -> footprint
 //
 // Timing    A span every 8 cycles, adaptive methods as their unit; latency that of the units.
 // Streams   ready/valid; a payload holds until taken. The run of an adaptive method is a pulse: its
@@ -40,6 +41,7 @@ module normal_seeds
   output kappa_t                                     kappa_o,
   output kappa_t [1:0]                               step_kappa_o,
   output arc_t                                       arc_o,          // slerp-direct
+  output span_footprint_t                            footprint_o,    // footprint methods
 
   // Adaptive methods: the normals of the walker's pixels, group by group.
   output logic                                       group_valid_o,
@@ -56,6 +58,7 @@ module normal_seeds
   lit_run_t                           run;
   span_normal_t [1:0][Components-1:0] normal;
   angle_limit_t                       limit;
+  span_footprint_t                    footprint;
 
   span_binder u_span_binder (
     .clk_i, .rst_ni,
@@ -66,6 +69,7 @@ module normal_seeds
     .run_o      (run),
     .normal_o   (normal),
     .limit_o    (limit),
+    .footprint_o(footprint),
     .busy_o     (binder_busy)
   );
 
@@ -134,6 +138,20 @@ module normal_seeds
   end else begin : gen_no_adaptive
     assign {adaptive_ready, adaptive_valid, adaptive_run, adaptive_busy} = '0;
     assign {group_valid_o, group_o, count_valid_o, normalised_o, skipped_o} = '0;
+  end
+
+  if (|(Methods & FootprintMethods)) begin : gen_footprint
+    logic is_footprint;
+    assign is_footprint = is_any_of(Methods, method_i, FootprintMethods);
+    footprint_queue u_footprint_queue (
+      .clk_i, .rst_ni,
+      .write_i    (run_valid && run_ready && is_footprint),
+      .footprint_i(footprint),
+      .read_i     (recurrence_valid && seed_ready_i && is_footprint),
+      .footprint_o
+    );
+  end else begin : gen_no_footprint
+    assign footprint_o = '0;
   end
 
   // Starts from the seeds of one pixel's stride, whatever the lanes.

@@ -11,14 +11,17 @@
 //   slerp-direct     slerp_direct                               -> dot_product x 2
 //   slerp-intensity  slerp_recurrence x 2
 //   adaptive, -paper, -chord   normals from adaptive_normalizer -> dot_product x 2
+//   footprint, -paper   linear_recurrence x 3 -> aniso_footprint -> phong_direct -> dot_product x 2
 //
-// Timing    The recurrences march with the walker: 1 cycle from load_i to the first pixels. From
-//           valid_i, in whose cycle the pixels leave the walker, to valid_o: 0 cycles for
+// Timing    The recurrences march with the walker: 1 cycle from load_i to the first pixels. From the
+//           cycle in which pixels leave the walker and enter the queue to valid_o: 0 cycles for
 //           slerp-intensity and quad-cosine, else the sum of the units on the way. Never stops.
+//           Footprints hold a group in the walker until its last sample; each sample is valid_o.
 // Formats   quantities S1.38, normals S1.24, cosines S1.30, each rounded to nearest once.
 // Error     That of the units on the way.
 // Model     model/normal/normal_shader.h      Doc  docs/units/shading_unit.md
 module normal_shader
+  import footprint_pkg::*;
   import light_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
@@ -39,11 +42,23 @@ module normal_shader
   input  kappa_t [1:0]                               step_kappa_i,  // of one and of two pixels
   input  arc_t                                       arc_i,
   input  curve_seed_t [Cosines-1:0]                  cosine_i,
-  input  pixel_normal_t [Lanes-1:0][Components-1:0]  group_i,       // adaptive, with valid_i
+  input  pixel_normal_t [Lanes-1:0][Components-1:0]  group_i,       // adaptive, with the pixels
+  input  span_footprint_t                            footprint_i,
 
-  input  logic                 valid_i,
+  // From the walker to the queue.
+  input  logic                 pixel_valid_i,
+  output logic                 pixel_ready_o,
+  input  logic [Lanes-1:0]     mask_i,
+  output logic                 enter_valid_o,
+  input  logic                 enter_ready_i,
+
   output logic                 valid_o,
-  output cosines_t [Lanes-1:0] cosines_o
+  output cosines_t [Lanes-1:0] cosines_o,
+  output sample_place_t        place_o,       // of one sample, but for footprints
+  output logic [Lanes-1:0]     live_o,
+
+  input  logic                 clear_i,
+  output sample_counters_t     samples_o      // since clear_i
 );
   localparam bit HasCosine = Methods[MethodQuadCosine];
   localparam bit HasPhong = Methods[MethodPhong];
@@ -52,7 +67,8 @@ module normal_shader
   localparam bit HasSlerp = Methods[MethodSlerp];
   localparam bit HasPaper = Methods[MethodSlerpPaper];
   localparam bit HasIntensity = Methods[MethodSlerpIntensity];
-  localparam bit HasLinearVector = HasPhong || HasTaylor;
+  localparam bit HasFootprint = |(Methods & FootprintMethods);
+  localparam bit HasLinearVector = HasPhong || HasTaylor || HasFootprint;
   localparam bit HasDirect = Methods[MethodSlerpDirect];
   localparam bit HasAdaptive = |(Methods & AdaptiveMethods);
   localparam bit HasVector = HasLinearVector || HasSlerp || HasPaper || HasDirect || HasAdaptive;
@@ -61,7 +77,8 @@ module normal_shader
   localparam int unsigned SlerpQuantities = HasSlerp ? 3 : HasIntensity ? 2 : 0;
 
   logic is_phong, is_taylor, is_duff, is_slerp, is_paper, is_intensity, is_linear, is_reinsch;
-  logic is_direct, is_cosine, is_adaptive;
+  logic is_direct, is_cosine, is_adaptive, is_footprint;
+  assign is_footprint = is_any_of(Methods, method_i, FootprintMethods);
   assign is_adaptive  = is_any_of(Methods, method_i, AdaptiveMethods);
   assign is_cosine    = is_method(Methods, method_i, MethodQuadCosine);
   assign is_direct    = is_method(Methods, method_i, MethodSlerpDirect);
@@ -71,7 +88,7 @@ module normal_shader
   assign is_slerp     = is_method(Methods, method_i, MethodSlerp);
   assign is_paper     = is_method(Methods, method_i, MethodSlerpPaper);
   assign is_intensity = is_method(Methods, method_i, MethodSlerpIntensity);
-  assign is_linear    = is_phong || is_taylor || is_duff;
+  assign is_linear    = is_phong || is_taylor || is_duff || is_footprint;
   assign is_reinsch   = is_slerp || is_intensity;
 
   /////////////////
@@ -111,6 +128,25 @@ module normal_shader
   end
 
   /////////////
+  // Samples //
+  /////////////
+
+  logic                                  leaves;        // pixels, from the walker
+  logic                                  sample_valid;
+  quantity_t [Lanes-1:0][Components-1:0] sample;
+  assign leaves = pixel_valid_i && enter_ready_i;
+
+  footprint_samples #(.Built(HasFootprint), .Lanes(Lanes)) u_footprint_samples (
+    .clk_i, .rst_ni, .is_footprint_i(is_footprint),
+    .load_i, .footprint_i, .pixel_valid_i, .pixel_ready_o, .mask_i, .normal_i(linear),
+    .enter_valid_o, .enter_ready_i,
+    .sample_valid_o(sample_valid),
+    .normal_o      (sample),
+    .place_o, .live_o, .clear_i,
+    .counters_o    (samples_o)
+  );
+
+  /////////////
   // Cosines //
   /////////////
 
@@ -127,9 +163,10 @@ module normal_shader
       pixel_normal_t [Components-1:0] direct_normal;
       quantity_t     [Components-1:0] line;
       assign line = {linear[2][lane], linear[1][lane], linear[0][lane]};
-      if (HasPhong) begin : gen_phong
+      if (HasPhong || HasFootprint) begin : gen_phong
         phong_direct u_phong_direct (
-          .clk_i, .rst_ni, .valid_i(valid_i && is_phong), .normal_i(line),
+          .clk_i, .rst_ni, .valid_i(is_footprint ? sample_valid : leaves && is_phong),
+          .normal_i(is_footprint ? sample[lane] : line),
           .valid_o(phong_valid), .normal_o(phong_normal));
       end else begin : gen_no_phong
         assign phong_valid  = 1'b0;
@@ -137,7 +174,7 @@ module normal_shader
       end
       if (HasTaylor) begin : gen_taylor
         taylor_normalizer u_taylor_normalizer (
-          .clk_i, .rst_ni, .valid_i(valid_i && is_taylor), .normal_i(line),
+          .clk_i, .rst_ni, .valid_i(leaves && is_taylor), .normal_i(line),
           .valid_o(taylor_valid), .normal_o(taylor_normal));
       end else begin : gen_no_taylor
         assign taylor_valid  = 1'b0;
@@ -146,20 +183,20 @@ module normal_shader
       if (HasDirect) begin : gen_direct
         slerp_direct #(.Lane(lane), .Lanes(Lanes)) u_slerp_direct (
           .clk_i, .rst_ni, .load_i(load_i && is_direct), .step_i(step_i && is_direct), .arc_i,
-          .valid_i(valid_i && is_direct), .valid_o(direct_valid), .normal_o(direct_normal));
+          .valid_i(leaves && is_direct), .valid_o(direct_valid), .normal_o(direct_normal));
       end else begin : gen_no_direct
         assign direct_valid  = 1'b0;
         assign direct_normal = '0;
       end
       for (genvar c = 0; c < Components; c++) begin : gen_component
         assign slerp_normal[c] = to_pixel_normal(is_paper ? paper[c][lane] : reinsch[c][lane]);
-        assign normal[c] = is_phong ? phong_normal[c] : is_taylor ? taylor_normal[c]
+        assign normal[c] = is_phong || is_footprint ? phong_normal[c] : is_taylor ? taylor_normal[c]
                          : is_direct ? direct_normal[c] : is_adaptive ? group_i[lane][c]
                          : slerp_normal[c];
       end
-      assign vector_valid = is_phong ? phong_valid : is_taylor ? taylor_valid
+      assign vector_valid = is_phong || is_footprint ? phong_valid : is_taylor ? taylor_valid
                           : is_direct ? direct_valid
-                          : valid_i && (is_slerp || is_paper || is_adaptive);
+                          : leaves && (is_slerp || is_paper || is_adaptive);
 
       logic dot_h_valid;  // the same as dot_valid
       dot_product u_n_dot_l (
@@ -179,7 +216,7 @@ module normal_shader
         .clk_i, .load_i(load_i && is_duff), .step_i(step_i && is_duff),
         .seed_i(length_i[lane]), .value_o(length_sq[lane]));
       duff_normalizer u_duff_normalizer (
-        .clk_i, .rst_ni, .valid_i(valid_i && is_duff), .n_dot_l_i(linear[0][lane]),
+        .clk_i, .rst_ni, .valid_i(leaves && is_duff), .n_dot_l_i(linear[0][lane]),
         .n_dot_h_or_v_i(linear[1][lane]), .length_sq_i(length_sq[lane]),
         .valid_o(duff_valid), .cosines_o(duff));
     end else begin : gen_no_duff
@@ -201,7 +238,7 @@ module normal_shader
 
     assign interpolated.n_dot_l      = quantity_to_cosine(reinsch[0][lane]);
     assign interpolated.n_dot_h_or_v = quantity_to_cosine(reinsch[1][lane]);
-    assign lane_valid[lane] = is_intensity || is_cosine ? valid_i
+    assign lane_valid[lane] = is_intensity || is_cosine ? leaves
                             : is_duff                   ? duff_valid : dot_valid;
     assign cosines_o[lane]  = is_cosine    ? curved
                             : is_intensity ? interpolated

@@ -4,6 +4,7 @@
 // model/shading_types.h is the C++ twin. Screens reach 4096 x 4096 pixels.
 package shading_pkg;
   import fixed_pkg::*;
+  import footprint_pkg::*;
   import light_pkg::*;
   import normal_pkg::*;
 
@@ -27,22 +28,25 @@ package shading_pkg;
     MethodQuadThirdDifference = 5'd8,
     MethodQuadSegment         = 5'd9,
     MethodQuadDifference      = 5'd10,
-    MethodQuadSplit           = 5'd11,
-    MethodQuadCosine          = 5'd12,
-    MethodPhong               = 5'd13,
-    MethodPhongTaylor         = 5'd14,
-    MethodPhongDuff           = 5'd15,
-    MethodSlerp               = 5'd16,
-    MethodSlerpPaper          = 5'd17,
-    MethodSlerpIntensity      = 5'd18,
-    MethodSlerpDirect         = 5'd19,
-    MethodAdaptive            = 5'd20,
-    MethodAdaptivePaper       = 5'd21,
-    MethodAdaptiveChord       = 5'd22
+    MethodQuadFootprint       = 5'd11,
+    MethodQuadSplit           = 5'd12,
+    MethodQuadCosine          = 5'd13,
+    MethodPhong               = 5'd14,
+    MethodPhongTaylor         = 5'd15,
+    MethodPhongDuff           = 5'd16,
+    MethodSlerp               = 5'd17,
+    MethodSlerpPaper          = 5'd18,
+    MethodSlerpIntensity      = 5'd19,
+    MethodSlerpDirect         = 5'd20,
+    MethodAdaptive            = 5'd21,
+    MethodAdaptivePaper       = 5'd22,
+    MethodAdaptiveChord       = 5'd23,
+    MethodFootprint           = 5'd24,
+    MethodFootprintPaper      = 5'd25
   } method_e;
 
   // Which methods a build contains: bit k stands for the method with value k.
-  localparam int unsigned NumMethods = 23;
+  localparam int unsigned NumMethods = 26;
   typedef logic [NumMethods-1:0] methods_t;
   localparam methods_t AllMethods = '1;
   function automatic methods_t method_bit(method_e method);
@@ -50,11 +54,13 @@ package shading_pkg;
   endfunction
 
   // Methods that interpolate along a surface, by span_setup; the others interpolate normals.
-  localparam methods_t SurfaceMethods = 23'h001fff;
+  localparam methods_t SurfaceMethods = 26'h0003fff;
   // Methods that light every pixel, by lit_pixels; the others interpolate intensities.
-  localparam methods_t LitMethods = 23'h7ff000;
+  localparam methods_t LitMethods = 26'h3ffe000;
   // Methods whose normals come from adaptive_normalizer, not from recurrences of normal_setup.
-  localparam methods_t AdaptiveMethods = 23'h700000;
+  localparam methods_t AdaptiveMethods = 26'h0e00000;
+  // Methods that light several samples of a pixel and show their mean.
+  localparam methods_t FootprintMethods = 26'h3000000;
   // Surfaces of second order whose spans start from differences of rows.
   localparam methods_t PointMethods =
     method_bit(MethodQuadPolynomial) | method_bit(MethodQuadHorner);
@@ -111,6 +117,7 @@ package shading_pkg;
     depth_acc_t              dz_dx;          // depth step per pixel
     material_index_t         material;       // methods that light every pixel
     angle_limit_t            limit;          // adaptive methods
+    footprint_t              footprint;      // footprint methods
     cosine_surface_t [Cosines-1:0]  cosine;  // quad-cosine
     intensity_acc_t  [Channels-1:0] ambient; // quad-split: with the half code
     surface_t        [Channels-1:0] specular; // quad-split
@@ -125,6 +132,7 @@ package shading_pkg;
     logic         last;                      // last span of its triangle
     // At the first [0] and last [1] pixel: methods that interpolate normals.
     span_normal_t [1:0][Components-1:0] normal;
+    margin_t [Corners-1:0] margin;           // at the first pixel: footprint-paper
   } span_t;
 
   // Where a span lies: what the pixel walker needs.
@@ -141,6 +149,12 @@ package shading_pkg;
     run_t            run;
     material_index_t material;
   } lit_run_t;
+
+  // Where the samples of a span's pixels lie.
+  typedef struct packed {
+    footprint_t            footprint;
+    margin_t [Corners-1:0] margin;           // at its first pixel
+  } span_footprint_t;
 
   // Start of one channel along a span, paper 003 (9) and (3).
   typedef struct packed {
@@ -195,6 +209,7 @@ package shading_pkg;
     logic [31:0] no_highlight;               // pixels whose power was not computed; same methods
     logic [31:0] normalised;                 // normalisations; adaptive methods
     logic [31:0] skipped;                    // pixels less those, span by span; adaptive methods
+    sample_counters_t samples;               // footprint methods
   } counters_t;
 
   // S9.26 -> U8.0: truncates the fraction, clamps to 0..255.

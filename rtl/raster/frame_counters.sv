@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Performance counters of one frame: pixels that left, cycles in which they waited, cycles in which
-// none was on offer although a span was inside, pixels that needed less light, and normalisations.
+// none was on offer although a span was inside, pixels that needed less light, normalisations and
+// samples.
 //
 // Timing    Counts at the end of each cycle.
 // Formats   32-bit counters; they wrap.
 // Error     None.
 // Model     Counters in model/shading_unit.h      Doc  docs/units/shading_unit.md
 module frame_counters
+  import footprint_pkg::*;
   import shading_pkg::*;
 #(
   parameter int unsigned Lanes = 1
@@ -23,10 +25,14 @@ module frame_counters
   input  logic             count_i,         // of a span: normalisations done and skipped
   input  span_length_t     normalised_i,
   input  span_length_t     skipped_i,
+  input  sample_counters_t samples_i,       // counted by aniso_footprint
   output counters_t        counters_o
 );
-  counters_t counters_q;
-  assign counters_o = counters_q;
+  counters_t counters_q;                    // but for the samples
+  always_comb begin
+    counters_o         = counters_q;
+    counters_o.samples = samples_i;
+  end
 
   function automatic logic [31:0] ones(logic [Lanes-1:0] bits);
     ones = '0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Binds each span to its triangle: adds the depth step, the material and the limit of
-// adaptive_normalizer to the span's position.
+// Binds each span to its triangle: adds the depth step, the material, the limit of
+// adaptive_normalizer and the footprint to the span's position.
 //
 // Timing    Combinational from span to run. A triangle is kept until its last span is taken; a span
 //           never passes before its triangle, and may pass in the cycle in which that comes.
@@ -10,6 +10,7 @@
 // Error     None.
 // Model     model/raster/span_binder.h      Doc  docs/units/raster/span_binder.md
 module span_binder
+  import footprint_pkg::*;
   import light_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
@@ -30,6 +31,7 @@ module span_binder
   output lit_run_t  run_o,
   output span_normal_t [1:0][Components-1:0] normal_o,
   output angle_limit_t                       limit_o,
+  output span_footprint_t                    footprint_o,
 
   output logic      busy_o           // a triangle is inside
 );
@@ -39,6 +41,7 @@ module span_binder
   depth_acc_t      dz_dx_q, dz_dx;
   material_index_t material_q, material;
   angle_limit_t    limit_q;
+  footprint_t      footprint_q;
 
   logic take_triangle, take_last;
   assign take_last        = span_valid_i && span_ready_o && span_i.last;
@@ -56,9 +59,10 @@ module span_binder
 
   always_ff @(posedge clk_i) begin
     if (take_triangle) begin
-      dz_dx_q    <= triangle_i.dz_dx;
-      material_q <= triangle_i.material;
-      limit_q    <= triangle_i.limit;
+      dz_dx_q     <= triangle_i.dz_dx;
+      material_q  <= triangle_i.material;
+      limit_q     <= triangle_i.limit;
+      footprint_q <= triangle_i.footprint;
     end
   end
 
@@ -68,4 +72,6 @@ module span_binder
                              dz_dx: dz_dx}, material: material};
   assign normal_o = span_i.normal;
   assign limit_o  = triangle_valid_q ? limit_q : triangle_i.limit;
+  assign footprint_o = '{footprint: triangle_valid_q ? footprint_q : triangle_i.footprint,
+                         margin: span_i.margin};
 endmodule

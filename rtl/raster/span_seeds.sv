@@ -45,6 +45,7 @@ module span_seeds
   output kappa_t                                     kappa_o,
   output kappa_t [1:0]                               step_kappa_o,
   output arc_t                                       arc_o,      // slerp-direct
+  output span_footprint_t                            footprint_o,
 
   // Adaptive methods: the normals of the walker's pixels, group by group.
   output logic                                       group_valid_o,
@@ -108,7 +109,7 @@ module span_seeds
       .seed_valid_o    (normal_valid),
       .seed_ready_i    (seed_ready_i && is_normal),
       .run_o           (lit_run),
-      .quantity_o, .length_o, .kappa_o, .step_kappa_o, .arc_o,
+      .quantity_o, .length_o, .kappa_o, .step_kappa_o, .arc_o, .footprint_o,
       .group_valid_o, .group_ready_i, .group_o, .count_valid_o, .normalised_o, .skipped_o,
       .span_inside_o   (normal_inside),
       .busy_o          (normal_busy)
@@ -116,7 +117,7 @@ module span_seeds
   end else begin : gen_no_normal_seeds
     assign {normal_triangle_ready, normal_span_ready, normal_valid} = '0;
     assign {normal_busy, normal_inside, lit_run} = '0;
-    assign {quantity_o, length_o, kappa_o, step_kappa_o, arc_o} = '0;
+    assign {quantity_o, length_o, kappa_o, step_kappa_o, arc_o, footprint_o} = '0;
     assign {group_valid_o, group_o, count_valid_o, normalised_o, skipped_o} = '0;
   end
 endmodule

@@ -23,6 +23,7 @@ constexpr const char* kMethodText[] = {
     "the same surface by paper 003 (8), figure 5: I(x+3) = 3 (I(x+2) - I(x+1)) + I",
     "the ends of 2^k-pixel segments by paper 003, linear within --tolerance between them",
     "the same surface by two registers: I += d, d += 2A",
+    "quad with the mean over a pixel's footprint, paper 001: a constant of the triangle",
     "second-order surfaces of unclamped diffuse and of specular light, clamped and added per pixel",
     "second-order surfaces of unclamped N.L and N.H, clamp and power per pixel",
     "linear normal, normalised and lit at every pixel",
@@ -34,7 +35,9 @@ constexpr const char* kMethodText[] = {
     "spherical normal, paper 000 (6): sine and cosine of every pixel by a CORDIC",
     "slerp's normals where it shows: bisection within --tolerance, lines between; paper 002",
     "the same as printed: of the span extended to 2^k steps; misses its end",
-    "Phong's normals where it shows: normalised points of the chord, lines between"};
+    "Phong's normals where it shows: normalised points of the chord, lines between",
+    "mean light of 1 to 8 samples of a pixel's ellipse, as the turn of the normal wants; paper 001",
+    "the same in the paper's enlarged triangle: samples outside it are excluded"};
 
 void PrintTables() {
   fmt::print("Methods\n");

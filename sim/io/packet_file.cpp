@@ -34,11 +34,11 @@ std::string Header(const FrameState& frame) {
   return fmt::format(
       "{{\"format\":\"shadesim-triangles\",\"version\":1,\"width\":{},\"height\":{},"
       "\"xy_fraction_bits\":{},\"z_fraction_bits\":{},\"normal_fraction_bits\":{},"
-      "\"lighting\":\"{}\",\"cull\":\"{}\",\"light\":{},\"half\":{},\"view\":{},"
+      "\"lighting\":\"{}\",\"cull\":\"{}\",\"depth_slope\":{},\"light\":{},\"half\":{},\"view\":{},"
       "\"materials\":[{}]}}\n",
       frame.width, frame.height, ScreenCoord::kFraction, VertexDepth::kFraction,
       NormalComponent::kFraction, frame.lighting == Lighting::kBlinn ? "blinn" : "phong",
-      frame.cull == Cull::kBack ? "back" : "none", Reals(frame.light), Reals(frame.half),
+      frame.cull == Cull::kBack ? "back" : "none", frame.depth_slope.raw(), Reals(frame.light), Reals(frame.half),
       Reals(frame.view), materials);
 }
 

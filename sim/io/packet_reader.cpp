@@ -145,7 +145,7 @@ FrameState PacketReader::ParseFrame(const std::string& text) const {
       ParseObject(text,
                   {"format", "version", "width", "height", "xy_fraction_bits", "z_fraction_bits",
                    "normal_fraction_bits", "light", "half", "view", "materials"},
-                  {"lighting", "cull"});
+                  {"lighting", "cull", "depth_slope"});
   CheckConstants(header);
   FrameState frame;
   frame.width = static_cast<int>(Integer(header["width"], "width", 1, kMaxScreen));
@@ -156,6 +156,10 @@ FrameState PacketReader::ParseFrame(const std::string& text) const {
   frame.lighting =
       Word(header, "lighting", "blinn", "phong") == "blinn" ? Lighting::kBlinn : Lighting::kPhong;
   frame.cull = Word(header, "cull", "back", "none") == "back" ? Cull::kBack : Cull::kNone;
+  if (header.contains("depth_slope")) {
+    frame.depth_slope = DepthSlope::FromRaw(
+        Integer(header["depth_slope"], "depth_slope", 0, DepthSlope::kMaxRaw));
+  }
   if (!header["materials"].is_array() || header["materials"].empty()) {
     Fail("\"materials\" must be an array with at least one material");
   }

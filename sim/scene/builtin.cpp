@@ -59,6 +59,8 @@ Scene Build(std::string_view name, int n) {
     return Single(Torus(n), {1, 20, -50, {}}, Plastic({0.08, 0.45, 0.30}, 0.45, 30));
   }
   if (name == "saddle") return Single(Saddle(n), {1, 25, -35, {}}, Brass());
+  if (name == "panel") return Single(Panel(n), {}, Plastic({0.12, 0.25, 0.45}, 0.70, 128));
+  if (name == "cylinder") return Single(Cylinder(n), {}, Plastic({0.50, 0.20, 0.10}, 0.70, 128));
   return Mixed(n);
 }
 

@@ -17,11 +17,13 @@ struct BuiltinScene {
   int min_n;
 };
 
-inline constexpr std::array<BuiltinScene, 5> kBuiltinScenes = {{
+inline constexpr std::array<BuiltinScene, 7> kBuiltinScenes = {{
     {"triangle", "one large triangle with tilted vertex normals, in N x N parts", 1, 1},
     {"sphere", "plastic sphere, N latitude bands of 2N quads", 16, 2},
     {"torus", "tilted torus, N rings of N sides", 32, 3},
     {"saddle", "patch z = x y / 2, N x N quads", 12, 1},
+    {"panel", "flat glossy panel whose normals bulge by 20 degrees, N x N quads", 16, 1},
+    {"cylinder", "glossy open cylinder along y, N sides of N quads", 24, 3},
     {"mixed", "plastic and glossy spheres, matte torus, brass saddle; N as in sphere", 16, 3},
 }};
 

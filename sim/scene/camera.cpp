@@ -60,6 +60,9 @@ class Projection {
     }
   }
 
+  // 1 / distance of depth z is in proportion to 1 - slope z.
+  double depth_slope() const { return perspective_ ? 2 / (distance_ + 1) : 0; }
+
   Vec3 operator()(Vec3 p) const {
     if (!perspective_) return {center_x_ + scale_ * p.x, center_y_ - scale_ * p.y, (1 - p.z) / 2};
     // 1 / distance is affine on the screen, so depth is made of it.
@@ -123,6 +126,7 @@ FrameState MakeFrame(const Scene& scene, const ViewOptions& options) {
   frame.view = RoundUnit(view);
   frame.lighting = options.lighting;
   frame.cull = options.cull;
+  frame.depth_slope = DepthSlope::Round(Projection(options).depth_slope());
   for (const SceneMaterial& m : scene.materials) {
     frame.materials.push_back({RoundColor(m.ambient), RoundColor(m.diffuse), RoundColor(m.specular),
                                Shininess::Round(std::clamp(m.shininess, 1.0, 256.0))});

@@ -12,6 +12,17 @@ void AddQuad(int a, int b, int c, int d, Scene* scene) {
   scene->triangles.push_back({{a, c, d}, 0});
 }
 
+// The quads of a grid of n + 1 rows of n + 1 vertices.
+void AddGrid(int n, Scene* scene) {
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i;
+      const int d = a + n + 1;
+      AddQuad(a, a + 1, d + 1, d, scene);
+    }
+  }
+}
+
 }  // namespace
 
 Scene Triangle(int n) {
@@ -101,11 +112,39 @@ Scene Saddle(int n) {
       scene.vertices.push_back({{x, y, x * y / 2}, Normalize({-y / 2, -x / 2, 1})});
     }
   }
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < n; ++i) {
-      const int a = j * (n + 1) + i;
-      const int d = a + n + 1;
-      AddQuad(a, a + 1, d + 1, d, &scene);
+  AddGrid(n, &scene);
+  return scene;
+}
+
+Scene Panel(int n) {
+  const double lean = std::tan(20 * kPi / 180);
+  Scene scene;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      const double x = 2.0 * i / n - 1;
+      const double y = 2.0 * j / n - 1;
+      scene.vertices.push_back({{x, y, 0}, Normalize({lean * x, lean * y, 1})});
+    }
+  }
+  AddGrid(n, &scene);
+  return scene;
+}
+
+Scene Cylinder(int n) {
+  constexpr double kRadius = 0.25;
+  Scene scene;
+  for (int ring = 0; ring <= n; ++ring) {
+    for (int side = 0; side < n; ++side) {
+      const double phi = 2 * kPi * side / n;
+      const Vec3 normal = {std::sin(phi), 0, std::cos(phi)};
+      scene.vertices.push_back({kRadius * normal + Vec3{0, 2.0 * ring / n - 1, 0}, normal});
+    }
+  }
+  for (int ring = 0; ring < n; ++ring) {
+    for (int side = 0; side < n; ++side) {
+      const int next = (side + 1) % n;
+      AddQuad(ring * n + side, ring * n + next, (ring + 1) * n + next, (ring + 1) * n + side,
+              &scene);
     }
   }
   return scene;

@@ -21,6 +21,13 @@ Scene Torus(int n);
 // z = x y / 2 over [-1, 1]^2 in n x n quads, seen from +z.
 Scene Saddle(int n);
 
+// z = 0 over [-1, 1]^2 in n x n quads, seen from +z; its normals lean outwards with x and y, by 20
+// degrees at an edge's middle.
+Scene Panel(int n);
+
+// Radius 1/4 about the y axis, from y = -1 to 1, open: n >= 3 sides of n quads.
+Scene Cylinder(int n);
+
 struct Placement {
   double scale = 1;
   double yaw = 0, pitch = 0;  // degrees, about y and then about x

@@ -57,8 +57,6 @@ class CommandPorts {
   }
 
  private:
-  static constexpr int kSpanWords = 9;
-
   Top& top_;
   bool take_triangle_ = false, take_span_ = false;
 };

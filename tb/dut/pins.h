@@ -14,11 +14,22 @@ inline constexpr int kCoordWidth = 12;
 inline constexpr int kLengthWidth = 13;
 inline constexpr int kMaterialWidth = 8;
 inline constexpr int kMethodWidth = 5;
-inline constexpr int kTriangleWords = 65;
+inline constexpr int kTriangleWords = 88;
+inline constexpr int kSpanWords = 12;
 
 template <typename Value, typename Bits>
 void PutSurface(const BasicSurface<Value>& s, Bits& bits) {
   for (const Value value : {s.f, s.e, s.d, s.c, s.b, s.a}) bits.Put(value);
+}
+
+template <typename Bits>
+void PutFootprint(const Footprint& footprint, Bits& bits) {
+  for (const Margin value : footprint.margin_dx) bits.Put(value);
+  for (const FootprintOffset& offset : footprint.offset) {
+    for (const Margin value : offset.margin) bits.Put(value);
+    for (const Quantity value : offset.normal) bits.Put(value);
+  }
+  bits.Put(static_cast<int64_t>(footprint.pattern), 2);
 }
 
 template <typename Port>
@@ -28,6 +39,7 @@ void DriveTriangle(const TriangleState& triangle, Port& port) {
   for (const Surface& s : triangle.specular) PutSurface(s, bits);
   for (const IntensityAcc value : triangle.ambient) bits.Put(value);
   for (const CosineSurface& s : triangle.cosine) PutSurface(s, bits);
+  PutFootprint(triangle.footprint, bits);
   bits.Put(triangle.limit.raw(), AngleLimit::kWidth);
   bits.Put(triangle.material, kMaterialWidth);
   bits.Put(triangle.dz_dx);
@@ -38,7 +50,8 @@ void DriveTriangle(const TriangleState& triangle, Port& port) {
 
 template <typename Port>
 void DriveSpan(const SpanCommand& span, Port& port) {
-  BitPacker<9> bits;
+  BitPacker<kSpanWords> bits;
+  for (const Margin value : span.margin) bits.Put(value);
   for (const SpanNormal& normal : span.normal) PutAll(normal, bits);
   bits.Put(span.last, 1);
   bits.Put(span.z);

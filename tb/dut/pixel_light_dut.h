@@ -17,6 +17,8 @@ class PixelLightPins : public LightDut<Top> {
   struct Input {
     int material = 0;
     std::array<LightCosines, kLanes> cosines;
+    bool first = true, last = true, twice = false;  // of the samples of a pixel
+    uint32_t live = 0;                              // lanes
   };
   struct Lane {
     PixelCodes codes;
@@ -29,7 +31,8 @@ class PixelLightPins : public LightDut<Top> {
 
   PixelLightPins() { this->top().material_valid_i = 0; }
 
-  // While no pixel is inside.
+  // While no pixel is inside. Inputs are samples, and outputs the pixels.
+  void SetMean(bool mean) { this->top().is_mean_i = mean; }
   void SetLight(const LightState& light) { DriveLight(light, this->top().light_i); }
   void SetMaterial(int index, const Material& material) {
     this->top().valid_i = 0;
@@ -44,6 +47,8 @@ class PixelLightPins : public LightDut<Top> {
     this->top().valid_i = valid;
     this->top().index_i = static_cast<uint8_t>(input.material);
     DriveCosines(input.cosines, this->top().cosines_i);
+    this->top().place_i = static_cast<uint8_t>(input.first << 2 | input.last << 1 | input.twice);
+    this->top().live_i = static_cast<uint8_t>(input.live);
     this->Tick();
   }
 

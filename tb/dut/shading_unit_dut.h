@@ -193,6 +193,9 @@ class ShadingUnitDut : public RtlShadingUnit {
   Counters ReadCounters() const {
     BitReader<decltype(top_->counters_o)> bits(top_->counters_o);
     Counters counters;
+    counters.samples_saved = static_cast<int64_t>(bits.Take(32));
+    counters.samples_excluded = static_cast<int64_t>(bits.Take(32));
+    counters.samples_taken = static_cast<int64_t>(bits.Take(32));
     counters.skipped = static_cast<int64_t>(bits.Take(32));
     counters.normalised = static_cast<int64_t>(bits.Take(32));
     counters.no_highlight = static_cast<int64_t>(bits.Take(32));

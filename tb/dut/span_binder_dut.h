@@ -22,6 +22,17 @@ class SpanBinderDut {
  public:
   static constexpr int kLatency = Vspan_binder_span_binder::Latency;
 
+  // span_footprint_t of a span.
+  static std::vector<uint32_t> FootprintBits(const TriangleState& triangle,
+                                             const SpanCommand& span) {
+    BitPacker<kFootprintWords> bits;
+    for (const Margin value : span.margin) bits.Put(value);
+    PutFootprint(triangle.footprint, bits);
+    std::vector<uint32_t> words(kFootprintWords);
+    bits.Store(words);
+    return words;
+  }
+
   // The spans follow the order of the triangles; span.last ends a triangle.
   struct Work {
     std::vector<TriangleState> triangles;
@@ -34,6 +45,7 @@ class SpanBinderDut {
     SpanSeed run;
     std::array<SpanNormal, 2> normal;
     AngleLimit limit;
+    std::vector<uint32_t> footprint;  // bits of span_footprint_t
     int64_t offered;  // first cycle with run_valid_o
     int64_t taken;
   };
@@ -86,7 +98,7 @@ class SpanBinderDut {
   }
 
  private:
-  static constexpr int kRunWords = 4, kNormalWords = 6;
+  static constexpr int kRunWords = 4, kNormalWords = 6, kFootprintWords = 27;
 
   void Offer(const Work& work, const Flows& flows, int64_t cycle, const Result& result) {
     commands_.Offer(work.triangles, result.triangles.size(), flows.triangle.At(cycle), work.spans,
@@ -114,6 +126,7 @@ class SpanBinderDut {
     for (int word = 0; word < kRunWords; ++word) words.push_back(top_->run_o[word]);
     for (int word = 0; word < kNormalWords; ++word) words.push_back(top_->normal_o[word]);
     words.push_back(top_->limit_o);
+    for (int word = 0; word < kFootprintWords; ++word) words.push_back(top_->footprint_o[word]);
     if (held_ && (!top_->run_valid_o || words != held_words_)) {
       result->failure = "the run on offer changed in cycle " + std::to_string(cycle);
     }
@@ -136,6 +149,9 @@ class SpanBinderDut {
       for (auto& component : normal) component = components.TakeSigned<SpanNormalComponent>();
     }
     bound.limit = AngleLimit::FromRaw(top_->limit_o);
+    for (int word = 0; word < kFootprintWords; ++word) {
+      bound.footprint.push_back(top_->footprint_o[word]);
+    }
     bound.offered = offered_;
     bound.taken = cycle;
     return bound;

@@ -17,7 +17,12 @@ using Direction = std::array<double, 3>;
 
 class Generator {
  public:
-  explicit Generator(uint32_t seed) : random_(seed) { DrawFrame(); }
+  explicit Generator(uint32_t seed) : random_(seed) {
+    DrawFrame();
+    // Half of the frames have perspective; drawn apart, for the triangles are those of the seed.
+    std::mt19937 slope(seed + 1);
+    if (slope() % 2 == 0) frame_.depth_slope = DepthSlope::FromRaw(slope() & DepthSlope::kMaxRaw);
+  }
 
   TrianglePacket Next() {
     TrianglePacket packet;

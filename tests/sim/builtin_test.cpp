@@ -53,6 +53,9 @@ TEST(BuiltinTest, NormalsAreExact) {
     const Vec3 ring = Normalize({v.position.x, v.position.y, 0});
     EXPECT_NEAR(Length(v.position - ring - 0.4 * v.normal), 0, 1e-14);
   }
+  for (const SceneVertex& v : Cylinder(9).vertices) {
+    EXPECT_NEAR(Length(v.position - Vec3{0, v.position.y, 0} - 0.25 * v.normal), 0, 1e-14);
+  }
   for (const SceneVertex& v : Saddle(9).vertices) {
     const Vec3 p = v.position;
     EXPECT_NEAR(p.z, p.x * p.y / 2, 1e-15);
@@ -70,6 +73,8 @@ TEST(BuiltinTest, CountsAndClosedSurfaces) {
   EXPECT_EQ(Saddle(8).triangles.size(), 128u);
   EXPECT_EQ(OpenEdges(Saddle(8)), 32u);
   EXPECT_EQ(Triangle(5).triangles.size(), 25u);
+  EXPECT_EQ(OpenEdges(Panel(8)), 32u);
+  EXPECT_EQ(OpenEdges(Cylinder(8)), 16u);
   EXPECT_EQ(OpenEdges(Triangle(5)), 15u);
 }
 

@@ -165,6 +165,10 @@ TEST(CameraDepthTest, PerspectiveDepthIsAffineOnTheScreen) {
   const TrianglePacket t = Project(scene, options).triangles[0];
   EXPECT_NEAR(t.x[2].ToReal(), (t.x[0].ToReal() + t.x[1].ToReal()) / 2, 0.01);
   EXPECT_NEAR(t.z[2].ToReal(), (t.z[0].ToReal() + t.z[1].ToReal()) / 2, 1e-6);
+  // And tells the distance up to a factor.
+  const double slope = Project(scene, options).frame.depth_slope.ToReal();
+  EXPECT_NEAR((1 - slope * t.z[0].ToReal()) / (1 - slope * t.z[1].ToReal()), wb / wa, 1e-6);
+  EXPECT_EQ(Project(scene, ViewOptions()).frame.depth_slope.raw(), 0);
 }
 
 TEST(CameraFrameTest, LightHalfAndMaterials) {

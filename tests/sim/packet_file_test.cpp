@@ -33,6 +33,7 @@ void ExpectEqual(const FrameState& a, const FrameState& b) {
   EXPECT_EQ(a.view, b.view);
   EXPECT_EQ(a.lighting, b.lighting);
   EXPECT_EQ(a.cull, b.cull);
+  EXPECT_EQ(a.depth_slope, b.depth_slope);
   ASSERT_EQ(a.materials.size(), b.materials.size());
   for (size_t i = 0; i < a.materials.size(); ++i) {
     EXPECT_EQ(a.materials[i].ambient, b.materials[i].ambient);

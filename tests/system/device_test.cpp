@@ -46,6 +46,7 @@ TEST(ShadingDevice, RefusesBadFrameState) {
   ExpectStartError("LIGHTING", 2, DeviceError::kState);
   ExpectStartError("CULL", 2, DeviceError::kState);
   ExpectStartError("DEPTH_TEST", 2, DeviceError::kState);
+  ExpectStartError("DEPTH_SLOPE", 1u << 24, DeviceError::kState);
   ExpectStartError("WIDTH", 0, DeviceError::kSize);
   ExpectStartError("HEIGHT", 4097, DeviceError::kSize);
   ExpectStartError("LIGHT_Z", 0, DeviceError::kVector);

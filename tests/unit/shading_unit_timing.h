@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "model/footprint/footprint_mean.h"
 #include "model/light/pixel_light.h"
 #include "model/normal/normal_setup.h"
 #include "model/normal/normal_shader.h"
@@ -16,7 +17,9 @@ inline int ArcLatency(Method method) {
 
 // Cycles from a span to its first pixel, the unit idle.
 inline int Latency(Method method) {
-  const int light = PixelLight::kContract.latency_cycles + PixelQueue::kContract.latency_cycles;
+  const int light = PixelLight::kContract.latency_cycles +
+                    (IsFootprint(method) ? FootprintMean::kContract.latency_cycles : 0) +
+                    PixelQueue::kContract.latency_cycles;
   if (IsAdaptive(method)) {
     return AdaptiveNormalizer::kContract.latency_cycles - 1 + CosineLatency(method) + light +
            (method == Method::kAdaptivePaper ? AdaptiveNormalizer::kExtend

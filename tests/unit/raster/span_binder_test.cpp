@@ -27,8 +27,15 @@ Dut::Work WorkOf(int triangles, uint32_t seed) {
   for (TriangleState& triangle : work.triangles) {
     triangle.material = static_cast<int>(random() % 256);
     triangle.limit = AngleLimit::FromRaw(static_cast<int64_t>(random() & AngleLimit::kMaxRaw));
+    triangle.footprint.pattern = static_cast<FootprintPattern>(random() % kFootprintPatterns);
+    for (FootprintOffset& offset : triangle.footprint.offset) {
+      for (Margin& margin : offset.margin) margin = Margin::Wrap(random());
+      for (Quantity& normal : offset.normal) normal = Quantity::Wrap(int64_t{random()} << 8);
+    }
+    for (Margin& margin : triangle.footprint.margin_dx) margin = Margin::Wrap(random());
   }
   for (SpanCommand& span : work.spans) {
+    for (Margin& margin : span.margin) margin = Margin::Wrap(random());
     for (SpanNormal& normal : span.normal) {
       for (auto& component : normal) component = SpanNormalComponent::Wrap(random());
     }
@@ -51,6 +58,8 @@ void ExpectRuns(const Dut::Work& work, const Dut::Result& result) {
     ASSERT_EQ(run.material, expected.material) << "span " << i;
     ASSERT_EQ(result.runs[i].normal, work.spans[i].normal) << "span " << i;
     ASSERT_EQ(result.runs[i].limit, work.triangles[triangle].limit) << "span " << i;
+    ASSERT_EQ(result.runs[i].footprint, Dut::FootprintBits(work.triangles[triangle], work.spans[i]))
+        << "span " << i;
     if (work.spans[i].last) ++triangle;
   }
 }
