@@ -7,7 +7,7 @@ set -euo pipefail
 CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
 shadesim=${1:-build/release/bin/shadesim}
-readonly steps=60 step=0.05  # degrees
+readonly steps=60 step=0.05 size=96  # step in degrees
 if ! command -v oiiotool >/dev/null; then
   echo "Skipped: the pictures need oiiotool (apt-get install openimageio-tools)."
   exit 0
@@ -17,24 +17,24 @@ trap 'rm -rf -- "$work"' EXIT
 
 scene_options() {  # of the scene: what is drawn, how it is seen, from where it is lit
   case $1 in
-    panel) echo "builtin:panel:8 --light 0.1,0.9,-0.25" ;;
-    cylinder) echo "builtin:cylinder:16 --light 0.9,0.5,-0.6" ;;
+    panel) echo "builtin:panel:8 --light 0.045,0.123,-0.991" ;;
+    cylinder) echo "builtin:cylinder:16 --light 0.133,-0.048,-0.99" ;;
   esac
 }
-pitch() { case $1 in panel) echo -84 ;; cylinder) echo 78 ;; esac; }
+pitch() { case $1 in panel) echo -86 ;; cylinder) echo 78 ;; esac; }
 
 draw() {  # draw SCENE METHOD ENGINE FRAME FILE
   local yaw
   yaw=$(awk "BEGIN { print 20 + $4 * $step }")
   # shellcheck disable=SC2046  # the options are words
-  "$shadesim" render $(scene_options "$1") --size 256x256 --rotate "$yaw,$(pitch "$1")" \
+  "$shadesim" render $(scene_options "$1") --size ${size}x$size --rotate "$yaw,$(pitch "$1")" \
     --method "$2" --engine "$3" -o "$5" --json "${5%.png}.json" --quiet
 }
 
 # Mean of |a - b| over the channels, codes of all pixels of the picture.
 difference() {
   oiiotool "$1" --ch R,G,B "$2" --ch R,G,B --absdiff --printstats |
-    awk '/Stats Avg/ { print ($3 + $4 + $5) / 3 }'
+    awk '/Stats Avg/ { print 255 * ($3 + $4 + $5) / 3 }'
 }
 covered() { sed -n '0,/^  "pixels": /s/^  "pixels": \([0-9]*\).*/\1/p' "$1"; }
 
@@ -46,15 +46,15 @@ flicker() {
     draw "$1" "$2" "$3" $k "$next"
     echo "$(difference "$last" "$next") $(covered "${next%.png}.json")"
     mv -- "$next" "$last"
-  done | awk '{ v = $1 * 256 * 256 / $2; sum += v; if (v > most) most = v }
+  done | awk -v all=$((size * size)) '{ v = $1 * all / $2; sum += v; if (v > most) most = v }
               END { printf "%.3f, %.3f", sum / NR, most }'
 }
 
-echo '| scene | centre only | footprint | every point, centres | every point, footprints |'
-echo '|---|--:|--:|--:|--:|'
+echo '| scene | centre only | footprint | exact mean over the footprint |'
+echo '|---|--:|--:|--:|'
 for scene in panel cylinder; do
   echo "| $scene | $(flicker $scene phong model) | $(flicker $scene footprint model) | $(
-    flicker $scene phong ideal) | $(flicker $scene footprint ideal) |"
+    flicker $scene footprint ideal) |"
 done
 
 files=()
@@ -64,5 +64,5 @@ for scene in panel cylinder; do
     files+=("$work/$scene-$method.png")
   done
 done
-oiiotool "${files[@]}" --mosaic:pad=8 4x1 \
-  --pattern constant:color=0.25,0.25,0.25,1 1048x256 4 --over --ch R,G,B -o docs/images/footprint.png
+oiiotool "${files[@]}" --mosaic:pad=4 4x1 --resize:filter=box 1188x288 \
+  --pattern constant:color=0.25,0.25,0.25,1 1188x288 4 --over --ch R,G,B -o docs/images/footprint.png

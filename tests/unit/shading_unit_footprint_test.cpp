@@ -53,9 +53,9 @@ TEST(ShadingUnitFootprint, PixelTakesACycleASample) {
       const Checked checked = Compare(Rows(pattern, kRows, kLength), lanes, FlowPattern::Always());
       EXPECT_TRUE(checked.good);
       const int samples = SampleCount(pattern);
-      // From the first group's last sample to the last group's.
+      // The span is taken in cycle 1; the unit is empty in the cycle after the last pixel.
       const int64_t groups = kRows * kLength / lanes;
-      EXPECT_EQ(checked.rtl.cycles, NormalSetup::Latency(lanes) + 32 + groups * samples + 1);
+      EXPECT_EQ(checked.rtl.cycles, NormalSetup::Latency(lanes) + 32 + groups * samples + 2);
       EXPECT_EQ(checked.rtl.counters.samples_taken, kRows * kLength * samples);
       EXPECT_EQ(checked.rtl.counters.samples_excluded, 0);
       EXPECT_EQ(checked.rtl.counters.samples_saved, kRows * kLength * (kMostSamples - samples));
