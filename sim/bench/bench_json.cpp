@@ -95,6 +95,7 @@ Json ToJson(const Cell& cell) {
           {"pixels", cell.work.pixels},
           {"highlights", cell.work.highlights},
           {"normalisations", cell.work.normalisations},
+          {"samples", cell.work.samples},
           {"cycles", cell.cycles},
           {"busy_cycles", cell.busy},
           {"fill_cycles", cell.fill},
@@ -114,8 +115,8 @@ Cell CellFromJson(const Json& json) {
   cell.key = {json.at("scene"), MethodOf(json.at("method")), json.at("shininess"),
               json.at("tolerance"), json.at("lanes")};
   cell.packets = json.at("packets");
-  cell.work = {json.at("triangles"), json.at("spans"), json.at("pixels"), json.at("highlights"),
-               json.at("normalisations")};
+  cell.work = {json.at("triangles"),  json.at("spans"),          json.at("pixels"),
+               json.at("highlights"), json.at("normalisations"), json.at("samples")};
   cell.cycles = json.at("cycles");
   cell.busy = json.at("busy_cycles");
   cell.fill = json.at("fill_cycles");

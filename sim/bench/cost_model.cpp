@@ -85,6 +85,17 @@ MethodCost Adaptive(const Operations& ends, const Operations& normal, const char
   return cost;
 }
 
+// aniso_footprint and footprint_mean: a sample is an offset normal, lit; its sums and, in the
+// paper's form, the inside test. A pixel has the division of two sums by the number of samples.
+MethodCost Footprint(const Operations& inside, const char* reason) {
+  MethodCost cost;
+  cost.span = LinearStart(3);
+  cost.pixel = Operations{2, 3, 0, 0} + kColour;
+  cost.sample = Operations{0, 3 + 2, 0, 0} + inside + kNormalise + kRoot + kTwoDots + kPower;
+  cost.reason = reason;
+  return cost;
+}
+
 MethodCost SurfaceCost(Method method) {
   switch (method) {
     case Method::kFlat: {
@@ -107,6 +118,8 @@ MethodCost SurfaceCost(Method method) {
     case Method::kQuadSegment:
       return Row({0, 2, 2, 0}, {0, 1.25, 0, 0}, "003, slope kept, in segments of 4 pixels");
     case Method::kQuadDifference: return Row({}, {0, 2, 0, 0}, "I += d, d += 2A");
+    case Method::kQuadFootprint:
+      return Row({0, 1, 0, 0}, {0, 2, 1, 0}, "003 (5); the mean over a footprint is in F");
     case Method::kQuadSplit: {
       MethodCost cost = Surface(6, 54, 2 * RowStart({}), {0, 6, 0, 0},
                                 "two surfaces a channel by differences, and their sum");
@@ -153,6 +166,10 @@ MethodCost NormalCost(Method method) {
     case Method::kAdaptiveChord:
       return Adaptive(kLinearEnds, Operations{3, 3, 0, 0} + Normalisation(),
                       "3 additions; a normal is a point of the chord, normalised");
+    case Method::kFootprint:
+      return Footprint({}, "001, seamless: 3 additions a sample, light of each");
+    case Method::kFootprintPaper:
+      return Footprint({0, 3, 0, 0}, "001: samples outside the enlarged triangle are left out");
     default: return {};
   }
 }
@@ -169,7 +186,7 @@ Operations TotalOf(const MethodCost& cost, const Workload& work) {
   const auto times = [](int64_t n) { return static_cast<double>(n); };
   return times(work.triangles) * cost.triangle + times(work.spans) * cost.span +
          times(work.pixels) * cost.pixel + times(work.highlights) * cost.highlight +
-         times(work.normalisations) * cost.normalisation;
+         times(work.normalisations) * cost.normalisation + times(work.samples) * cost.sample;
 }
 
 }  // namespace shading::sim

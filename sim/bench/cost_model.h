@@ -39,6 +39,7 @@ struct MethodCost {
   Operations pixel;          // every pixel
   Operations highlight;      // more, where the highlight's power is computed
   Operations normalisation;  // more, each; adaptive methods
+  Operations sample;         // more, each; footprint methods
   std::string reason;
 };
 
@@ -51,7 +52,7 @@ Operations VectorLight();
 
 // How often each part was done in one frame.
 struct Workload {
-  int64_t triangles = 0, spans = 0, pixels = 0, highlights = 0, normalisations = 0;
+  int64_t triangles = 0, spans = 0, pixels = 0, highlights = 0, normalisations = 0, samples = 0;
 };
 Operations TotalOf(const MethodCost& cost, const Workload& work);
 

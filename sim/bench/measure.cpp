@@ -56,6 +56,7 @@ void RunRtl(const FrameWork& work, FrameBuffer* picture, Cell* cell) {
   cell->fill = consumer.first() + (result.cycles - 1 - consumer.last());
   cell->setup = result.cycles - cell->busy - cell->stall - cell->fill;
   cell->work.normalisations = result.counters.normalised;
+  cell->work.samples = result.counters.samples_taken;
   cell->work.highlights =
       LightsPixels(work.method) ? work.pixels - result.counters.no_highlight : 0;
 }
