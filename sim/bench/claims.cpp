@@ -138,8 +138,11 @@ Claim SetUp() {
 }
 
 Claim Footprint() {
-  return {"001", "averaging over a pixel's footprint gives more exact intensities",
-          "no method of this program computes it", Verdict::kNotMeasured, ""};
+  return {
+      "001", "averaging over a pixel's footprint gives more exact intensities",
+      "against 4096 samples, n = 128, 5 degrees along a footprint of 1:4: 29.5 LSB off with the "
+      "centre alone, 1.9 with 2 samples, 0.08 with 4",
+      Verdict::kHolds, "docs/footprint.md"};
 }
 
 Claim RowClaim(const Results& r, Method slow, Method fast, const char* place, const char* text,
