@@ -13,15 +13,15 @@
 namespace shading {
 
 // Twins of the typedefs in rtl/pkg/shading_pkg.sv: what each number means.
-using Code = U<8, 0>;           // displayed intensity, round(255 I)
-using Intensity = U<8, 16>;     // node value in codes (255 = full scale), 16 fraction bits
+using Code = U<8, 0>;              // displayed intensity, round(255 I)
+using Intensity = U<8, 16>;        // node value in codes (255 = full scale), 16 fraction bits
 using SignedIntensity = S<9, 16>;  // a term of the light, not clamped
-using IntensityAcc = S<9, 26>;  // intensity in codes for recurrences; wraps, see surface_fit
-using Depth = U<0, 24>;         // [0, 1), smaller is nearer
-using DepthAcc = S<1, 38>;      // depth with 14 guard bits, for the step along a span
+using IntensityAcc = S<9, 26>;     // intensity in codes for recurrences; wraps, see surface_fit
+using Depth = U<0, 24>;            // [0, 1), smaller is nearer
+using DepthAcc = S<1, 38>;         // depth with 14 guard bits, for the step along a span
 
-using CosineAcc = S<1, 44>;     // cosine on a surface; wraps likewise
-using Tolerance = U<4, 12>;     // codes
+using CosineAcc = S<1, 44>;  // cosine on a surface; wraps likewise
+using Tolerance = U<4, 12>;  // codes
 
 inline constexpr int kChannels = 3;  // red, green, blue
 inline constexpr int kCosines = 2;   // N.L, and N.H or N.V
@@ -108,7 +108,8 @@ constexpr bool IsAdaptive(Method method) {
 }
 // Methods that light several samples of a pixel and show their mean.
 constexpr bool IsFootprint(Method method) { return method >= Method::kFootprint; }
-// Methods that show the surface of paper 003 (2) and differ in how they compute a row, and its mean.
+// Methods that show the surface of paper 003 (2) and differ in how they compute a row, and its
+// mean.
 constexpr bool IsQuadRow(Method method) {
   return method >= Method::kQuad && method <= Method::kQuadFootprint;
 }
@@ -135,15 +136,15 @@ struct SurfacePoint {
 
 // What the shading unit keeps for one triangle.
 struct TriangleState {
-  int origin_x = 0, origin_y = 0;  // first pixel of its first span, where x = y = 0
-  DepthAcc dz_dx;                  // depth step per pixel
-  int material = 0;                // methods that light every pixel
-  AngleLimit limit;                // adaptive methods
-  Footprint footprint;             // footprint methods
-  std::array<Surface, kChannels> surface;        // intensity; quad-split: diffuse, no half code
-  std::array<Surface, kChannels> specular;       // quad-split, no half code
-  std::array<IntensityAcc, kChannels> ambient;   // quad-split, with the half code
-  std::array<CosineSurface, kCosines> cosine;    // quad-cosine
+  int origin_x = 0, origin_y = 0;               // first pixel of its first span, where x = y = 0
+  DepthAcc dz_dx;                               // depth step per pixel
+  int material = 0;                             // methods that light every pixel
+  AngleLimit limit;                             // adaptive methods
+  Footprint footprint;                          // footprint methods
+  std::array<Surface, kChannels> surface;       // intensity; quad-split: diffuse, no half code
+  std::array<Surface, kChannels> specular;      // quad-split, no half code
+  std::array<IntensityAcc, kChannels> ambient;  // quad-split, with the half code
+  std::array<CosineSurface, kCosines> cosine;   // quad-cosine
 };
 
 // A run of pixels of one triangle on one scanline.

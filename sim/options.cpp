@@ -41,7 +41,7 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
   command
       ->add_option(
           "--tolerance", w->tolerance,
-          "codes that quad-segment, adaptive and footprint methods and --subdivide may spend, 0..15.99")
+          "codes that quad-segment, adaptive, footprint and --subdivide may spend, 0..15.99")
       ->check(CLI::Range(0.0, 15.99))
       ->capture_default_str();
   command
@@ -107,7 +107,8 @@ void AddBench(CLI::App* app, Options* o, Words* w) {
   bench->footer("Example: shadesim bench --quick --out bench\nWithout a SCENE: all built-in ones.");
   AddViewOptions(bench, o, w);
   bench->add_option("--out", o->out, "folder for report.html, bench.json, bench.csv")->required();
-  bench->add_option("--methods", w->methods, "methods of shadesim list, with commas between, or all")
+  bench
+      ->add_option("--methods", w->methods, "methods of shadesim list, with commas between, or all")
       ->capture_default_str();
   bench->add_flag("--quick", o->quick, "small pictures, under a minute on two cores");
   bench->add_flag("--fresh", o->fresh, "forget what an earlier run left in the folder");
@@ -195,7 +196,8 @@ void Check(const Options& o) {
   if (!o.error_map.empty() && !one_run) Refuse("--error-map takes one SCENE and one --method");
   if (!o.triangles_out.empty() && o.scenes.size() != 1) Refuse("--triangles-out takes one SCENE");
   std::vector<std::string> files = o.scenes;
-  for (const std::string& out : {o.image, o.error_map, o.json, o.csv, o.trace, o.triangles_out, o.markdown}) {
+  for (const std::string& out :
+       {o.image, o.error_map, o.json, o.csv, o.trace, o.triangles_out, o.markdown}) {
     if (out.empty()) continue;
     if (std::find(files.begin(), files.end(), out) != files.end()) {
       Refuse(fmt::format("{} would be overwritten: give each file its own name", out));

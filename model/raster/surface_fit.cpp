@@ -97,14 +97,15 @@ IntensityAcc SurfaceFit::FootprintMean(const TriangleGeometry& geometry,
     const int64_t bend = 4 * nodes.middle[k].raw() -
                          2 * (nodes.corner[(k + 1) % 3].raw() + nodes.corner[(k + 2) % 3].raw());
     sum += bend * (static_cast<Int128>(i.dx) * j.dx + static_cast<Int128>(i.dy) * j.dy);
-    longest = std::max(longest, static_cast<Int128>(i.dx) * i.dx + static_cast<Int128>(i.dy) * i.dy);
+    longest =
+        std::max(longest, static_cast<Int128>(i.dx) * i.dx + static_cast<Int128>(i.dy) * i.dy);
   }
   // 1/12 of it; with r |dw| / area limited to 1/2, 1/16 of the one for r = area / |dw|.
   const Int128 whole = 12 * static_cast<Int128>(geometry.area) * geometry.area;
   const Int128 divisor = std::max(whole, 16 * longest);
   constexpr int kAlign = IntensityAcc::kFraction - Intensity::kFraction;
-  return IntensityAcc::FromRaw(static_cast<int64_t>(
-      FloorDivide<Int128>(2 * sum * (1 << kAlign) + divisor, 2 * divisor)));
+  return IntensityAcc::FromRaw(
+      static_cast<int64_t>(FloorDivide<Int128>(2 * sum * (1 << kAlign) + divisor, 2 * divisor)));
 }
 
 CosineSurface SurfaceFit::OfCosine(const std::array<Plane, 3>& barycentric,

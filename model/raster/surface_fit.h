@@ -49,10 +49,10 @@ class SurfaceFit {
                         const std::array<Intensity, 3>& corner);
   static Surface Quadratic(const std::array<Plane, 3>& barycentric, const SurfaceNodes& nodes);
   static Surface Term(const std::array<Plane, 3>& barycentric, const Nodes<SignedIntensity>& nodes);
-  // What the mean over a pixel's footprint, paper 001, adds to a quadratic at every pixel: the second
-  // moments of the disc of radius r = 1/sqrt(3) pixels, r^2 (A + B) / 4 = (A + B) / 12, a constant of
-  // the triangle. Where the disc spans more than half a barycentric, the disc that spans as much; so
-  // it is at most 3/4 of the largest |e_ij|. Rounded to nearest.
+  // What the mean over a pixel's footprint, paper 001, adds to a quadratic at every pixel: the
+  // second moments of the disc of radius r = 1/sqrt(3) pixels, r^2 (A + B) / 4 = (A + B) / 12, a
+  // constant of the triangle. Where the disc spans more than half a barycentric, the disc that
+  // spans as much; so it is at most 3/4 of the largest |e_ij|. Rounded to nearest.
   static IntensityAcc FootprintMean(const TriangleGeometry& geometry, const SurfaceNodes& nodes);
   static CosineSurface OfCosine(const std::array<Plane, 3>& barycentric,
                                 const Nodes<Cosine>& nodes);

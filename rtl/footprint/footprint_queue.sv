@@ -3,8 +3,8 @@
 // Footprints of the spans that are inside normal_setup, in their order: what their pixels want and
 // the set-up has no use for.
 //
-// Timing    Written with a span, on offer from the next cycle; never full, for normal_setup holds at
-//           most Depth spans.
+// Timing    Written with a span, on offer from the next cycle; never full, for normal_setup holds
+//           at most Depth spans.
 // Formats   shading_pkg.
 // Error     None.
 // Model     none: the model reads the triangle      Doc  docs/units/shading_unit.md

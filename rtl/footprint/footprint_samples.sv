@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// aniso_footprint between the walker and the queue, and what the mean wants to know of a sample when
-// its cosines are there. For other methods the pixels pass, each with one sample.
+// aniso_footprint between the walker and the queue, and what the mean wants to know of a sample
+// when its cosines are there. For other methods the pixels pass, each with one sample.
 //
 // Timing    As aniso_footprint; place_o and live_o come with the cosines, 13 cycles after a sample.
 // Formats   As aniso_footprint.

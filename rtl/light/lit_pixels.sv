@@ -58,7 +58,8 @@ module lit_pixels
   output sample_counters_t   samples_o,
   output logic               busy_o
 );
-  logic                            cosines_valid, code_valid, queue_valid, queue_ready, is_footprint;
+  logic                            cosines_valid, code_valid, queue_valid, queue_ready;
+  logic                            is_footprint;
   sample_place_t                   place;      // of the cosines
   logic  [Lanes-1:0]               live;
   cosines_t [Lanes-1:0]            cosines;

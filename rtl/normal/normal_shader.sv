@@ -13,8 +13,8 @@
 //   adaptive, -paper, -chord   normals from adaptive_normalizer -> dot_product x 2
 //   footprint, -paper   linear_recurrence x 3 -> aniso_footprint -> phong_direct -> dot_product x 2
 //
-// Timing    The recurrences march with the walker: 1 cycle from load_i to the first pixels. From the
-//           cycle in which pixels leave the walker and enter the queue to valid_o: 0 cycles for
+// Timing    The recurrences march with the walker: 1 cycle from load_i to the first pixels. From
+//           the cycle in which pixels leave the walker and enter the queue to valid_o: 0 cycles for
 //           slerp-intensity and quad-cosine, else the sum of the units on the way. Never stops.
 //           Footprints hold a group in the walker until its last sample; each sample is valid_o.
 // Formats   quantities S1.38, normals S1.24, cosines S1.30, each rounded to nearest once.

@@ -12,7 +12,7 @@ package footprint_pkg;
   // Weighted barycentric of the enlarged triangle, negative outside; S3.28.
   typedef logic signed [31:0] margin_t;
 
-  // Samples of a pixel, in the order in which they are taken: the centre, then + and - of the pairs.
+  // Samples of a pixel, in the order in which they are taken: the centre, then + and - of pairs.
   typedef enum logic [1:0] {
     FootprintCentre = 2'd0,                  // the centre
     FootprintTwo    = 2'd1,                  // 1 pair

@@ -24,7 +24,7 @@ TEST(RegisterAccess, AnswersWrongAccessesWithTheRightError) {
     EXPECT_EQ(access(kRead, OffsetOf("ID"), 4), tlm::TLM_OK_RESPONSE);
     EXPECT_EQ(words[0], 0x44414853u);
     EXPECT_EQ(access(kWrite, OffsetOf("WIDTH"), 8), tlm::TLM_OK_RESPONSE);
-    EXPECT_EQ(access(kRead, 0x0e8, 4), tlm::TLM_ADDRESS_ERROR_RESPONSE);
+    EXPECT_EQ(access(kRead, 0x07c, 4), tlm::TLM_ADDRESS_ERROR_RESPONSE);
     EXPECT_EQ(access(kRead, kAddressSpace, 4), tlm::TLM_ADDRESS_ERROR_RESPONSE);
     EXPECT_EQ(access(kRead, kAddressSpace - 4, 8), tlm::TLM_ADDRESS_ERROR_RESPONSE);
     EXPECT_EQ(access(kRead, UINT64_MAX - 3, 8), tlm::TLM_ADDRESS_ERROR_RESPONSE);
@@ -44,9 +44,9 @@ TEST(RegisterAccess, AnswersWrongAccessesWithTheRightError) {
 TEST(RegisterAccess, RefusedBurstChangesNothing) {
   OnBoth([](Software* software) {
     uint32_t words[] = {5, 6};
-    EXPECT_EQ(software->Access(kWrite, OffsetOf("DEPTH_STRIDE"), words, 8),
+    EXPECT_EQ(software->Access(kWrite, OffsetOf("DEPTH_SLOPE"), words, 8),
               tlm::TLM_ADDRESS_ERROR_RESPONSE);
-    EXPECT_EQ(software->Get("DEPTH_STRIDE"), 0u);
+    EXPECT_EQ(software->Get("DEPTH_SLOPE"), 0u);
   });
 }
 

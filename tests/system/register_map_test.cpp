@@ -27,7 +27,7 @@ TEST(RegisterMap, ResetValuesAreThoseOfTheTable) {
     EXPECT_EQ(registers.Find(row.offset), &row);
     EXPECT_EQ(registers.Find(row.offset + kWordBytes * (row.words - 1)), &row);
   }
-  EXPECT_EQ(registers.Find(0x0e8), nullptr);
+  EXPECT_EQ(registers.Find(0x07c), nullptr);
   EXPECT_EQ(registers.Find(kAddressSpace), nullptr);
 }
 
