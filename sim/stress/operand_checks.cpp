@@ -101,7 +101,7 @@ Check Taylor() {
 }
 
 Check Duff() {
-  Check check = Of(DuffNormalizer::kContract, "2^-30", "mantissa of the root U1.23: 2^-23 of the cosine");
+  Check check = Of(DuffNormalizer::kContract, "2^-30", "mantissa of the root U1.23");
   check.genes = {"q, 1/2..2", "dot product, part of the root of q", "octave"};
   check.error = [](const Genes& g, int narrow) {
     const int64_t q = static_cast<int64_t>(std::ldexp(Between(0.5, 2, g[0]), 44) - 1) >>
@@ -109,10 +109,13 @@ Check Duff() {
     const Real root = std::sqrt(std::ldexp(static_cast<Real>(q), -44));
     const Real most = std::min<Real>(root, 2 - std::ldexp(1.0L, -38));
     const auto dot = static_cast<int64_t>(std::ldexp(most * (2 * static_cast<Real>(g[1]) - 1), 38));
-    const auto cosines =
-        DuffNormalizer::Of(Quantity::Wrap(dot), Quantity(), LengthSquare::Wrap(q));
     const Real ideal = std::ldexp(static_cast<Real>(dot), 30 - 38) / root;
-    const int64_t raw = Narrowed(cosines.n_dot_l.raw(), narrow == 0 ? 0 : 6 + narrow);
+    int64_t raw = DuffNormalizer::Of(Quantity::Wrap(dot), Quantity(), LengthSquare::Wrap(q)).n_dot_l.raw();
+    if (narrow > 0) {  // the unit's product with a narrowed mantissa
+      const ReciprocalRoot short_root = ReciprocalSqrt::Of(SquaredLength::FromRaw(q));
+      const int64_t scaled = (dot * (int64_t{1} << short_root.exponent)) >> 8;
+      raw = RoundSaturateCosine(scaled * Narrowed(short_root.mantissa.raw(), narrow), 24).raw();
+    }
     return static_cast<double>(std::abs(static_cast<Real>(raw) - ideal));
   };
   return check;
@@ -230,7 +233,7 @@ Check Combine() {
 
 // Two unit normals up to 120 degrees apart.
 Check Mean() {
-  Check check = Of(MeanCosines::kContract, "2^-30", "cosine S1.28, for two bits of 2.5 ulp");
+  Check check = Of(MeanCosines::kContract, "2^-30", "cosine S1.29");
   check.genes = {"Na, turn", "Na, height", "Nb, turn", "Nb, height", "L, turn", "L, height"};
   check.error = [](const Genes& g, int narrow) {
     const std::array<Vector3, 2> n = {Rounded<NormalComponent>(Direction(g[0], g[1])),
@@ -244,7 +247,7 @@ Check Mean() {
                                                  LightCosines{CosineOf(n[1], l), {}}};
     const auto mean = MeanCosines::Of(n, cosines);
     const Real ideal = std::ldexp(Dot(sum, RealOf(l)) / length, 30);
-    const int64_t raw = Narrowed(mean->n_dot_l.raw(), narrow == 0 ? 0 : 1 + narrow);
+    const int64_t raw = Narrowed(mean->n_dot_l.raw(), narrow);
     return static_cast<double>(std::abs(static_cast<Real>(raw) - ideal));
   };
   return check;
