@@ -32,7 +32,9 @@ std::vector<Finding> Plan(const std::string& narrow) {
     if (narrow.empty() || narrow == "all" || narrow == check.unit)
       plan.push_back({check, {}, narrow.empty() ? 0 : 1});
   }
-  if (plan.empty()) throw std::runtime_error(fmt::format("--narrow {}: no unit of that name is searched; see docs/stress.md", narrow));
+  if (plan.empty())
+    throw std::runtime_error(
+        fmt::format("--narrow {}: no unit of that name is searched; see docs/stress.md", narrow));
   return plan;
 }
 
@@ -46,8 +48,10 @@ int Replay(const std::string& path) {
   int broken = 0, lines = 0;
   for (std::string line; std::getline(file, line); ++lines) {
     const auto text = nlohmann::json::parse(line, nullptr, false);
-    if (!text.is_object() || text.value("format", "") != "shadesim-stress-case" || !text.contains("operands"))
-      throw std::runtime_error(fmt::format("{}:{}: not a case of shadesim stress", path, lines + 1));
+    if (!text.is_object() || text.value("format", "") != "shadesim-stress-case" ||
+        !text.contains("operands"))
+      throw std::runtime_error(
+          fmt::format("{}:{}: not a case of shadesim stress", path, lines + 1));
     bool found = false;
     for (const Check& check : stress::AllChecks()) {
       if (check.unit != text.value("unit", "")) continue;
@@ -59,7 +63,9 @@ int Replay(const std::string& path) {
       broken += error > check.bound;
       found = true;
     }
-    if (!found) throw std::runtime_error(fmt::format("{}:{}: unknown unit or wrong number of operands", path, lines + 1));
+    if (!found)
+      throw std::runtime_error(
+          fmt::format("{}:{}: unknown unit or wrong number of operands", path, lines + 1));
   }
   if (lines == 0) throw std::runtime_error(fmt::format("{}: holds no case", path));
   return broken > 0;
@@ -69,11 +75,13 @@ int Replay(const std::string& path) {
 
 int Stress(const Options& options) {
   if (!options.replay.empty()) return Replay(options.replay);
-  if (options.out.empty()) throw std::runtime_error("stress: --out DIR or --replay FILE is required");
+  if (options.out.empty())
+    throw std::runtime_error("stress: --out DIR or --replay FILE is required");
   const fs::path out = options.out;
   std::error_code error;
   fs::create_directories(out, error);
-  if (error || !fs::is_directory(out)) throw std::runtime_error(fmt::format("{}: not a folder and cannot be made one", options.out));
+  if (error || !fs::is_directory(out))
+    throw std::runtime_error(fmt::format("{}: not a folder and cannot be made one", options.out));
   stress::StressResults results;
   results.version = SHADESIM_VERSION;
   results.command = options.command_line;
@@ -85,7 +93,8 @@ int Stress(const Options& options) {
   ParallelFor(options.jobs, count + 3 * plots, [&](int i) {
     if (i < count) {
       Finding& f = results.findings[static_cast<size_t>(i)];
-      f.worst = stress::Search(f.check, Evaluations(f.check, options.quick), options.seed + static_cast<uint32_t>(i), f.narrow);
+      f.worst = stress::Search(f.check, Evaluations(f.check, options.quick),
+                               options.seed + static_cast<uint32_t>(i), f.narrow);
     } else if (i == count) {
       results.growth = stress::GrowthCurves(options.quick);
     } else {
@@ -99,11 +108,14 @@ int Stress(const Options& options) {
     WriteWhole(out / (f.check.unit + ".worst.jsonl"), stress::WorstLine(f, options.seed) + "\n");
     broken += f.Broken();
     if (options.quiet && !f.Broken()) continue;
-    fmt::print("{:22} {:>12.6g} of {:>10.6g} x {:28} {:6.3f} {}\n", f.check.unit, f.worst.error, f.check.bound, f.check.ulp, f.Share(), f.Broken() ? "BROKEN" : "");
+    fmt::print("{:22} {:>12.6g} of {:>10.6g} x {:28} {:6.3f} {}\n", f.check.unit, f.worst.error,
+               f.check.bound, f.check.ulp, f.Share(), f.Broken() ? "BROKEN" : "");
   }
   WriteWhole(out / "stress.json", stress::StressJson(results).dump(1) + "\n");
   WriteWhole(out / "report.html", stress::StressPage(results));
-  if (!options.quiet) fmt::print("{} of {} bounds broken; seed {}; {}\n", broken, count, options.seed, (out / "report.html").string());
+  if (!options.quiet)
+    fmt::print("{} of {} bounds broken; seed {}; {}\n", broken, count, options.seed,
+               (out / "report.html").string());
   return broken > 0;
 }
 

@@ -17,9 +17,9 @@ using Genes = std::vector<double>;
 // The error of one unit for given operands. `narrow` asks for the unit with `narrow` bits less.
 struct Check {
   std::string unit;
-  std::string ulp;    // of errors and bound
-  double bound = 0;   // what the unit states
-  std::string valid;  // for which operands
+  std::string ulp;       // of errors and bound
+  double bound = 0;      // what the unit states
+  std::string valid;     // for which operands
   std::string narrowed;  // what loses a bit
   std::vector<std::string> genes;
   std::function<double(const Genes&, int narrow)> error;
@@ -47,7 +47,8 @@ inline int64_t RoundNarrow(Real value, int fraction_bits, int narrow) {
 }
 // An output that loses its last `narrow` bits, rounded half up.
 inline int64_t Narrowed(int64_t raw, int narrow) {
-  return narrow == 0 ? raw : ((raw + (int64_t{1} << (narrow - 1))) >> narrow) * (int64_t{1} << narrow);
+  return narrow == 0 ? raw
+                     : ((raw + (int64_t{1} << (narrow - 1))) >> narrow) * (int64_t{1} << narrow);
 }
 inline double Between(double low, double high, double gene) { return low + (high - low) * gene; }
 // Even in the logarithm.

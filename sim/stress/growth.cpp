@@ -16,7 +16,9 @@ enum class Form { kReinsch, kReinschTruncated, kPaper };
 // The largest error of the pixels up to the last, in codes.
 double WorstOfArc(Form form, const Arc& arc, int bits, int pixels) {
   Real worst = 0;
-  const auto note = [&](Real value, int t) { worst = std::max(worst, std::abs(value - arc.At(t))); };
+  const auto note = [&](Real value, int t) {
+    worst = std::max(worst, std::abs(value - arc.At(t)));
+  };
   if (form == Form::kPaper) {
     const std::array<QuantitySeed, kMaxLanes> seed = {
         QuantitySeed{Quantity::Wrap(RoundTo(arc.At(0), 38)),
@@ -68,7 +70,8 @@ std::vector<Growth> GrowthCurves(bool quick) {
 
 std::vector<Heat> HeatMap(bool paper, int fraction_bits, bool quick) {
   std::vector<Heat> cells;
-  for (const double degrees : {0.001, 0.01, 0.1, 1.0, 5.0, 15.0, 30.0, 60.0, 90.0, 120.0, 150.0, 170.0, 179.9}) {
+  for (const double degrees :
+       {0.001, 0.01, 0.1, 1.0, 5.0, 15.0, 30.0, 60.0, 90.0, 120.0, 150.0, 170.0, 179.9}) {
     for (int pixels = 4; pixels <= 4096; pixels *= 2) {
       cells.push_back({degrees, pixels,
                        WorstOfTurn(paper ? Form::kPaper : Form::kReinsch, degrees, fraction_bits,
@@ -79,7 +82,8 @@ std::vector<Heat> HeatMap(bool paper, int fraction_bits, bool quick) {
 }
 
 double DeadZone(int fraction_bits, int pixels) {
-  return static_cast<double>(std::sqrt(std::ldexp(1.0L, -fraction_bits - 1)) * (pixels - 1) * 180 / kPi);
+  return static_cast<double>(std::sqrt(std::ldexp(1.0L, -fraction_bits - 1)) * (pixels - 1) * 180 /
+                             kPi);
 }
 
 }  // namespace shading::stress

@@ -54,8 +54,8 @@ Check Root() {
     const auto x = static_cast<int64_t>(std::ldexp(1 + 3 * static_cast<Real>(g[0]), 44)) - 1;
     const int64_t q = std::max<int64_t>(x >> (2 * static_cast<int>(22 * g[1])), 1);
     const ReciprocalRoot root = ReciprocalSqrt::Of(SquaredLength::FromRaw(q));
-    const Real ideal = std::ldexp(1 / std::sqrt(std::ldexp(static_cast<Real>(q), -44)),
-                                  24 - root.exponent);
+    const Real ideal =
+        std::ldexp(1 / std::sqrt(std::ldexp(static_cast<Real>(q), -44)), 24 - root.exponent);
     return static_cast<double>(
         std::abs(static_cast<Real>(Narrowed(root.mantissa.raw(), narrow)) - ideal));
   };
@@ -110,7 +110,8 @@ Check Duff() {
     const Real most = std::min<Real>(root, 2 - std::ldexp(1.0L, -38));
     const auto dot = static_cast<int64_t>(std::ldexp(most * (2 * static_cast<Real>(g[1]) - 1), 38));
     const Real ideal = std::ldexp(static_cast<Real>(dot), 30 - 38) / root;
-    int64_t raw = DuffNormalizer::Of(Quantity::Wrap(dot), Quantity(), LengthSquare::Wrap(q)).n_dot_l.raw();
+    int64_t raw =
+        DuffNormalizer::Of(Quantity::Wrap(dot), Quantity(), LengthSquare::Wrap(q)).n_dot_l.raw();
     if (narrow > 0) {  // the unit's product with a narrowed mantissa
       const ReciprocalRoot short_root = ReciprocalSqrt::Of(SquaredLength::FromRaw(q));
       const int64_t scaled = (dot * (int64_t{1} << short_root.exponent)) >> 8;
@@ -123,7 +124,8 @@ Check Duff() {
 
 Check Cordic() {
   Check check = Of(SlerpDirect::kContract, "2^-24", "components S1.23");
-  check.genes = {"direction, turn", "direction, height", "turn of the arc's plane", "angle 0..1.74"};
+  check.genes = {"direction, turn", "direction, height", "turn of the arc's plane",
+                 "angle 0..1.74"};
   check.error = [](const Genes& g, int narrow) {
     const Vector a = Direction(g[0], g[1]), other = Direction(g[2], 0.5);
     Vector side;
@@ -165,7 +167,8 @@ struct Power {
   Real ideal;
 };
 Power PowerOf(const Genes& g) {
-  const Real gap = g[2] < 0.2 ? static_cast<Real>(g[0]) : std::pow(2.0L, -30 * static_cast<Real>(g[0]));
+  const Real gap =
+      g[2] < 0.2 ? static_cast<Real>(g[0]) : std::pow(2.0L, -30 * static_cast<Real>(g[0]));
   const Power p = {Cosine::FromRaw(RoundTo(1 - gap, 30)),
                    Shininess::FromRaw(128 + static_cast<int64_t>(g[1] * (255 * 128))), 0};
   return {p.x, p.n,
@@ -202,7 +205,8 @@ Check Specular() {
   check.error = [](const Genes& g, int narrow) {
     const auto cosine = [&](size_t i) { return RoundTo(2 * static_cast<Real>(g[i]) - 1, 30); };
     const int64_t l = cosine(0), v = cosine(1), lv = cosine(2);
-    const Real exact = std::ldexp(static_cast<Real>(l) * static_cast<Real>(v), -29) - static_cast<Real>(lv);
+    const Real exact =
+        std::ldexp(static_cast<Real>(l) * static_cast<Real>(v), -29) - static_cast<Real>(lv);
     const Real ideal = std::clamp(exact, -std::ldexp(1.0L, 31), std::ldexp(1.0L, 31) - 1);
     const int64_t reflected =
         SpecularCosine::Reflected(static_cast<int32_t>(l), static_cast<int32_t>(v), lv);
@@ -225,8 +229,8 @@ Check Combine() {
     const Real sum = std::ldexp(static_cast<Real>(raw(0)), -16) +
                      std::ldexp(static_cast<Real>(raw(1)) * lit, -33) +
                      std::ldexp(static_cast<Real>(raw(2)) * raw(4), -32);
-    return static_cast<double>(std::abs(static_cast<Real>(Narrowed(code, narrow)) -
-                                        255 * std::min<Real>(sum, 1)));
+    return static_cast<double>(
+        std::abs(static_cast<Real>(Narrowed(code, narrow)) - 255 * std::min<Real>(sum, 1)));
   };
   return check;
 }

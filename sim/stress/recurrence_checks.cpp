@@ -92,8 +92,8 @@ Check Linear() {
     LinearRecurrence line({Quantity::Wrap(RoundNarrow(first, 38, narrow)),
                            Quantity::Wrap(RoundNarrow(slope, 38, narrow))});
     for (int t = 0; t < kLast; ++t) line.Step();
-    return static_cast<double>(std::abs(static_cast<Real>(line.value().raw()) -
-                                        std::ldexp(first + slope * kLast, 38)));
+    return static_cast<double>(
+        std::abs(static_cast<Real>(line.value().raw()) - std::ldexp(first + slope * kLast, 38)));
   };
   check.starts = {{0.3, 0, 0.6, 0}, {0.3, 1, 0.6, 1}};
   check.cost = 2;
@@ -132,8 +132,8 @@ Check Walker() {
     const Real slope =
         (std::round(g[2] / 2 / kLastPixel / unit) + static_cast<Real>(Fraction(g[1]))) * unit;
     const int64_t at = RoundNarrow(first, 38, narrow) + kLastPixel * RoundNarrow(slope, 38, narrow);
-    return static_cast<double>(
-        std::ldexp(std::abs(std::ldexp(static_cast<Real>(at), -38) - first - slope * kLastPixel), 24));
+    return static_cast<double>(std::ldexp(
+        std::abs(std::ldexp(static_cast<Real>(at), -38) - first - slope * kLastPixel), 24));
   };
   check.starts = {{0, 0, 0.4}, {1, 1, 0.4}};
   return check;
@@ -157,7 +157,8 @@ Check Gouraud() {
 }
 
 // The forms of paper 003 with F fraction bits: the search of quad_drift over curves and roundings.
-Check Quad(const UnitContract& unit, const std::string& form_name, int bits, const std::string& ulp) {
+Check Quad(const UnitContract& unit, const std::string& form_name, int bits,
+           const std::string& ulp) {
   Check check = Of(unit);
   check.ulp = ulp;
   check.narrowed = "registers of " + std::to_string(bits - 1) + " fraction bits";
@@ -168,7 +169,7 @@ Check Quad(const UnitContract& unit, const std::string& form_name, int bits, con
     if (form.name != form_name) continue;
     check.error = [form, bits](const Genes& g, int narrow) {
       return accuracy::WorstDrift(form, bits - narrow, kLast,
-                                          static_cast<unsigned>(std::ldexp(g[0], 20)));
+                                  static_cast<unsigned>(std::ldexp(g[0], 20)));
     };
   }
   check.cost = 3000;
@@ -206,7 +207,8 @@ Check Point(const UnitContract& unit) {
   check.narrowed = "coefficients S9.25";
   check.genes = {"part of A below an ulp", "of B", "of C", "of D", "of E", "of F", "x", "y"};
   check.error = [](const Genes& g, int narrow) {
-    const Real x = std::round(Between(-2047, 2047, g[6])), y = std::round(Between(-2047, 2047, g[7]));
+    const Real x = std::round(Between(-2047, 2047, g[6])),
+               y = std::round(Between(-2047, 2047, g[7]));
     const std::array<Real, 6> term = {x * x, y * y, x * y, x, y, 1};
     const Real ulp = std::ldexp(1.0L, narrow - 26);
     Real error = 0;

@@ -10,7 +10,8 @@ namespace {
 Genes Corner(size_t count, std::mt19937& random) {
   Genes genes(count);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (double& gene : genes) gene = random() % 4 ? static_cast<double>(random() % 3) / 2 : unit(random);
+  for (double& gene : genes)
+    gene = random() % 4 ? static_cast<double>(random() % 3) / 2 : unit(random);
   return genes;
 }
 

@@ -52,7 +52,7 @@ TEST(Stress, SearchClimbsToAHiddenPeak) {
   Check check;
   check.genes = {"a", "b"};
   check.error = [](const Genes& g, int) { return 2 - std::hypot(g[0] - 0.37, g[1] - 0.81); };
-  const Worst worst = Search(check, 3000, 1);
+  const Worst worst = Search(check, 60000, 1);
   EXPECT_NEAR(worst.genes[0], 0.37, 1e-6);
   EXPECT_NEAR(worst.genes[1], 0.81, 1e-6);
 }
