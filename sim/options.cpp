@@ -131,13 +131,17 @@ void AddList(CLI::App* app, Options* o) {
 void AddStress(CLI::App* app, Options* o) {
   CLI::App* stress = app->add_subcommand("stress", "worst cases of every unit against its bound");
   stress->callback([o] { o->command = Command::kStress; });
-  stress->footer("Example: shadesim stress --quick --out stress\nExit status 1: a bound is broken.");
+  stress->footer(
+      "Example: shadesim stress --quick --out stress\nExit status 1: a bound is broken.");
   stress->add_option("--out", o->out, "folder for report.html, stress.json and the worst cases");
   stress->add_option("--seed", o->seed, "of the search")->capture_default_str();
   stress->add_flag("--quick", o->quick, "under a minute on two cores");
-  stress->add_option("--narrow", o->narrow, "a UNIT or all with one bit less than stated: must break");
+  stress->add_option("--narrow", o->narrow,
+                     "a UNIT or all with one bit less than stated: must break");
   stress->add_option("--replay", o->replay, "a file UNIT.worst.jsonl again");
-  stress->add_option("--jobs", o->jobs, "threads")->capture_default_str()->check(CLI::Range(1, 256));
+  stress->add_option("--jobs", o->jobs, "threads")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 256));
   stress->add_flag("--quiet", o->quiet, "print broken bounds only");
 }
 
