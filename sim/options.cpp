@@ -129,6 +129,23 @@ void AddList(CLI::App* app, Options* o) {
 
 // Small pictures when quick; all built-in scenes when none is named, then in half as many parts, so
 // that their spans have some pixels.
+void AddStress(CLI::App* app, Options* o) {
+  CLI::App* stress = app->add_subcommand("stress", "worst cases of every unit against its bound");
+  stress->callback([o] { o->command = Command::kStress; });
+  stress->footer(
+      "Example: shadesim stress --quick --out stress\nExit status 1: a bound is broken.");
+  stress->add_option("--out", o->out, "folder for report.html, stress.json and the worst cases");
+  stress->add_option("--seed", o->seed, "of the search")->capture_default_str();
+  stress->add_flag("--quick", o->quick, "under a minute on two cores");
+  stress->add_option("--narrow", o->narrow,
+                     "a UNIT or all with one bit less than stated: must break");
+  stress->add_option("--replay", o->replay, "a file UNIT.worst.jsonl again");
+  stress->add_option("--jobs", o->jobs, "threads")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 256));
+  stress->add_flag("--quiet", o->quiet, "print broken bounds only");
+}
+
 void FinishBench(const Words& w, Options* o) {
   o->methods = MethodList(w.methods);
   if (o->quick && w.size.empty()) {
@@ -178,7 +195,7 @@ void Finish(const Words& w, Options* o) {
 }
 
 void Check(const Options& o) {
-  if (o.command == Command::kList) return;
+  if (o.command == Command::kList || o.command == Command::kStress) return;
   if (o.scenes.empty() && o.random == 0) {
     Refuse(o.command == Command::kVerify ? "name a SCENE or --random N" : "name a SCENE");
   }
@@ -223,6 +240,7 @@ std::optional<Options> ParseOptions(int argc, char** argv) {
   AddVerify(&app, &o, &w);
   AddCycles(&app, &o, &w);
   AddBench(&app, &o, &w);
+  AddStress(&app, &o);
   AddList(&app, &o);
 
   try {

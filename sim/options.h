@@ -13,7 +13,7 @@
 
 namespace shading::sim {
 
-enum class Command { kRender, kVerify, kCycles, kBench, kList };
+enum class Command { kRender, kVerify, kCycles, kBench, kStress, kList };
 enum class Engine { kModel, kRtl, kIdeal };
 
 struct Options {
@@ -31,6 +31,7 @@ struct Options {
   int64_t random = 0;  // triangles of verify --random
   int jobs = 1;
   bool quiet = false;
+  std::string narrow, replay;                    // of stress
   std::string image, error_map, trace, json, csv, triangles_out;
   std::string out, markdown;                     // of bench
   std::string synthesis = "build/synth.json";    // what scripts/synth.sh wrote

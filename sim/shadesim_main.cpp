@@ -17,6 +17,7 @@ int Run(const shading::sim::Options& options) {
     case shading::sim::Command::kVerify: return shading::sim::Verify(options);
     case shading::sim::Command::kCycles: return shading::sim::Cycles(options);
     case shading::sim::Command::kBench: return shading::sim::RunBench(options);
+    case shading::sim::Command::kStress: return shading::sim::Stress(options);
     case shading::sim::Command::kList: return shading::sim::List(options);
   }
   return kBadInput;

@@ -11,6 +11,7 @@ int Render(const Options& options);
 int Verify(const Options& options);
 int Cycles(const Options& options);
 int RunBench(const Options& options);
+int Stress(const Options& options);
 int List(const Options& options);
 
 }  // namespace shading::sim

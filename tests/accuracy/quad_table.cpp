@@ -8,7 +8,7 @@
 #include "model/intensity/quad_horner.h"
 #include "model/intensity/quad_polynomial.h"
 #include "model/intensity/quad_segment.h"
-#include "tests/accuracy/quad_rows.h"
+#include "sim/stress/quad_rows.h"
 
 namespace shading::accuracy {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/accuracy/quad_drift.h"
+#include "sim/stress/quad_drift.h"
 #include "tests/accuracy/quad_table.h"
 
 namespace {

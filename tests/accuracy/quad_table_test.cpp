@@ -12,8 +12,8 @@
 #include <map>
 #include <random>
 
-#include "tests/accuracy/quad_drift.h"
-#include "tests/accuracy/quad_rows.h"
+#include "sim/stress/quad_drift.h"
+#include "sim/stress/quad_rows.h"
 
 namespace shading::accuracy {
 namespace {

@@ -10,7 +10,7 @@
 #include "model/intensity/quad_surface.h"
 #include "model/intensity/quad_third_difference.h"
 #include "model/intensity/quad_three_term.h"
-#include "tests/accuracy/quad_rows.h"
+#include "sim/stress/quad_rows.h"
 #include "tests/accuracy/quad_table.h"
 
 namespace shading::accuracy {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/accuracy/quad_drift.h"
+#include "sim/stress/quad_drift.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "tests/accuracy/quad_rows.h"
+#include "sim/stress/quad_rows.h"
 
 namespace shading::accuracy {
 namespace {
@@ -124,8 +124,8 @@ std::vector<DriftForm> DriftForms() {
   return all;
 }
 
-double WorstDrift(const DriftForm& form, int fraction_bits, int t) {
-  std::mt19937 random(static_cast<unsigned>(fraction_bits * 10000 + t));
+double WorstDrift(const DriftForm& form, int fraction_bits, int t, unsigned seed) {
+  std::mt19937 random(static_cast<unsigned>(fraction_bits * 10000 + t) + seed);
   int64_t worst = 0;
   for (int restart = 0; restart < kRestarts; ++restart) {
     Numbers best = form.starts(RandomNumbers(fraction_bits, t, random));
