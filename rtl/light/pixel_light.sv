@@ -9,8 +9,8 @@
 // samples, paper 001.
 //
 // Timing    Latency 13 cycles, a group of Lanes pixels a cycle, never stalls; 16 from a pixel's
-//           last sample. A material is written at any time when no pixel is inside; the next cycle may
-//           bring its first pixel.
+//           last sample. A material is written at any time when no pixel is inside; the next
+//           cycle may bring its first pixel.
 // Formats   cosines S1.30, material U1.16 and U9.7, code U8.0.
 // Error     0.504 codes against real cosines of unit vectors and the same material: half a
 //           code is the rounding to a code.

@@ -38,8 +38,8 @@ std::string Header(const FrameState& frame) {
       "\"materials\":[{}]}}\n",
       frame.width, frame.height, ScreenCoord::kFraction, VertexDepth::kFraction,
       NormalComponent::kFraction, frame.lighting == Lighting::kBlinn ? "blinn" : "phong",
-      frame.cull == Cull::kBack ? "back" : "none", frame.depth_slope.raw(), Reals(frame.light), Reals(frame.half),
-      Reals(frame.view), materials);
+      frame.cull == Cull::kBack ? "back" : "none", frame.depth_slope.raw(), Reals(frame.light),
+      Reals(frame.half), Reals(frame.view), materials);
 }
 
 bool IsBlank(const std::string& line) { return line.find_first_not_of(" \t\r") == line.npos; }

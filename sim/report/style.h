@@ -33,25 +33,35 @@ figcaption { color:var(--soft); font-size:13px; max-width:110ch; }
 figcaption code { display:block; color:var(--soft); font-size:12px; overflow-wrap:anywhere; }
 .scroll { overflow-x:auto; margin:8px 0; } .long { overflow:auto; max-height:640px; }
 table { border-collapse:collapse; font-size:13px; font-variant-numeric:tabular-nums; }
-th, td { padding:3px 10px; border-bottom:1px solid var(--rule); text-align:left; vertical-align:top; }
+th, td { padding:3px 10px; border-bottom:1px solid var(--rule); text-align:left;
+  vertical-align:top; }
 th { position:sticky; top:0; background:var(--tint); } .n { text-align:right; }
-th button { all:unset; cursor:pointer; font-weight:600; } th button:focus-visible { outline:2px solid var(--link); }
+th button { all:unset; cursor:pointer; font-weight:600;
+}
+th button:focus-visible { outline:2px solid var(--link); }
 th button::after { content:" \2195"; color:var(--muted); }
 th[aria-sort=ascending] button::after { content:" \2191"; color:var(--text); }
 th[aria-sort=descending] button::after { content:" \2193"; color:var(--text); }
 .gallery { display:flex; flex-wrap:wrap; gap:16px; } .gallery figure { margin:0; width:292px; }
-.gallery img { width:144px; image-rendering:pixelated; background:#000; vertical-align:top; margin-right:2px; }
-svg { display:block; max-width:100%; height:auto; } svg text { fill:var(--text); font:11px system-ui, "Liberation Sans", sans-serif; }
-svg .halo { paint-order:stroke; stroke:var(--ground); stroke-width:3px; } svg .soft { fill:var(--soft); } svg .title { font-size:13px; font-weight:600; }
+.gallery img { width:144px; image-rendering:pixelated; background:#000; vertical-align:top;
+  margin-right:2px; }
+svg { display:block; max-width:100%; height:auto; } svg text { fill:var(--text);
+  font:11px system-ui, "Liberation Sans", sans-serif; }
+svg .halo { paint-order:stroke; stroke:var(--ground); stroke-width:3px;
+}
+svg .soft { fill:var(--soft); } svg .title { font-size:13px; font-weight:600; }
 svg .grid { stroke:var(--rule); stroke-width:1; } svg .frame { stroke:var(--soft); fill:none; }
-svg .line { fill:none; stroke-width:1.8; } svg .front { fill:none; stroke:var(--soft); stroke-dasharray:4 3; }
+svg .line { fill:none; stroke-width:1.8; } svg .front { fill:none; stroke:var(--soft);
+  stroke-dasharray:4 3; }
 svg .dim { fill:none; stroke:var(--muted); stroke-width:1.3; }
 )css"
 R"css(
 svg .f0{fill:var(--c0)} svg .f1{fill:var(--c1)} svg .f2{fill:var(--c2)} svg .f3{fill:var(--c3)}
 svg .f4{fill:var(--c4)} svg .f5{fill:var(--c5)} svg .f6{fill:var(--c6)} svg .f7{fill:var(--c7)}
-svg .s0{stroke:var(--c0)} svg .s1{stroke:var(--c1)} svg .s2{stroke:var(--c2)} svg .s3{stroke:var(--c3)}
-svg .s4{stroke:var(--c4)} svg .s5{stroke:var(--c5)} svg .s6{stroke:var(--c6)} svg .s7{stroke:var(--c7)}
+svg .s0{stroke:var(--c0)} svg .s1{stroke:var(--c1)} svg .s2{stroke:var(--c2)}
+svg .s3{stroke:var(--c3)}
+svg .s4{stroke:var(--c4)} svg .s5{stroke:var(--c5)} svg .s6{stroke:var(--c6)}
+svg .s7{stroke:var(--c7)}
 )css";
 
 // Sorts a table by the column whose heading is pressed; pressing again turns the order.

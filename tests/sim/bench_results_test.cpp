@@ -63,9 +63,12 @@ TEST_F(SynthesisTest, ReadsWhatTheScriptWrites) {
   EXPECT_FALSE(ReadSynthesis(Path("none.json")));
   const std::string path = Write("synth.json", R"({"format": "shadesim-synthesis", "version": 1,
     "tool": "Yosys", "target": "ecp5", "rtl": "00", "multiplier_lut4": 1000,
-    "units": [{"name": "dot_product", "lut4": 1, "flip_flops": 2, "carry": 3, "multipliers": 4, "path_lut4": 16}],
-    "builds": [{"method": "quad", "lanes": 4, "lut4": 10, "flip_flops": 20, "carry": 30, "multipliers": 2},
-               {"method": "of-tomorrow", "lanes": 1, "lut4": 1, "flip_flops": 1, "carry": 1, "multipliers": 1}]})");
+    "units": [{"name": "dot_product", "lut4": 1, "flip_flops": 2, "carry": 3,
+      "multipliers": 4, "path_lut4": 16}],
+    "builds": [{"method": "quad", "lanes": 4, "lut4": 10, "flip_flops": 20, "carry": 30,
+      "multipliers": 2},
+               {"method": "of-tomorrow", "lanes": 1, "lut4": 1, "flip_flops": 1, "carry": 1,
+      "multipliers": 1}]})");
   const auto synthesis = ReadSynthesis(path);
   ASSERT_TRUE(synthesis);
   ASSERT_NE(synthesis->FindUnit("dot_product"), nullptr);

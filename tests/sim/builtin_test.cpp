@@ -113,8 +113,9 @@ TEST(BuiltinTest, SpellingsOfAName) {
 }
 
 TEST(BuiltinTest, BadNames) {
-  ExpectError([] { MakeBuiltin("cube"); },
-              "builtin:cube: no such scene; use one of: triangle sphere torus saddle panel cylinder mixed");
+  ExpectError(
+      [] { MakeBuiltin("cube"); },
+      "builtin:cube: no such scene; use one of: triangle sphere torus saddle panel cylinder mixed");
   ExpectError([] { MakeBuiltin("builtin:"); }, "no such scene");
   for (const char* spec : {"sphere:0", "sphere:1", "sphere:2049", "sphere:", "sphere:-3",
                            "sphere:4x", "sphere:4:4", "sphere:99999999999999"}) {
