@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <thread>
 
@@ -162,6 +163,7 @@ void FinishBench(const Words& w, Options* o) {
 void Finish(const Words& w, Options* o) {
   o->methods = Methods(w.method);
   o->lanes = w.lanes;
+  if (std::isnan(w.tolerance)) Refuse("--tolerance nan: give codes, 0..15.99");
   o->front_end.tolerance = Tolerance::Round(w.tolerance);
   o->front_end.subdivide = w.subdivide == "split"    ? Subdivide::kSplit
                            : w.subdivide == "report" ? Subdivide::kReport

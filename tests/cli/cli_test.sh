@@ -70,6 +70,7 @@ accept verify --random 600 --method all --seed 9 --lanes 4 --backpressure random
 check 'four lanes are told' grep -q '"lanes": 4' four.json
 accept verify builtin:sphere:6 --size 64x48 --method slerp-intensity --lighting phong --lanes 4
 refuse 'tolerance' verify builtin:sphere --method quad-segment --tolerance 16
+refuse 'tolerance nan' verify builtin:sphere --method quad-segment --tolerance nan
 accept verify builtin:sphere:3 --size 64x48 --method quad-segment --tolerance 2 --lanes 4
 accept cycles builtin:sphere:3 --size 64x48 --method quad --tolerance 1 --subdivide report --json report.json
 accept cycles builtin:sphere:3 --size 64x48 --method quad --tolerance 1 --subdivide split --json split.json
