@@ -29,36 +29,7 @@ async function yosys(top, parameters, commands, extra = {}) {
 }
 
 const count = (log, cell) => {
-  async function cells(top, parameters) {
-  const log = await yosys(top, parameters, `${target}; stat`);
-  const [lut4, flip_flops, carry, multipliers] =
-    ['LUT4', 'TRELLIS_FF', 'CCU2C', 'MULT18X18D'].map((cell) => count(log, cell));
-  if (flip_flops === 0 && top !== 'lane_seed') {
-    throw new Error(`${top}: no registers found; the log has changed its form`);
-  }
-  return { lut4, flip_flops, carry, multipliers };
-}
-
-// Longest path: from register to register in levels of 4-input tables, without carry chains, so that adders
-// count as logic.
-async function path(top) {
-  const log = await yosys(top, '', 'synth -flatten -lut 4; ltp -noff');
-  const match = log.match(/Longest topological path in \S+ \(length=(\d+)\)/);
-  if (!match) throw new Error(`${top}: no longest path found; the log has changed its form`);
-  return Number(match[1]);
-}
-
-// What one hardware multiplier is worth: an 18 x 18 bit product of LUT4 and carry cells, by Booth's method,
-// which takes half of what Yosys makes without it.
-async function multiplier() {
-  const source = `module product (input logic clk_i, input logic signed [17:0] a_i, b_i,
-    output logic signed [35:0] c_o); always_ff @(posedge clk_i) c_o <= a_i * b_i; endmodule`;
-  const log = await yosys('product', '', `hierarchy -top product; proc; booth; ${target} -nodsp; stat`, { 'product.sv': source });
-  return count(log, 'LUT4') + 2 * count(log, 'CCU2C');
-}
-
-const target = 'synth_ecp5 -noabc9';
-const rows = [...log.matchAll(new RegExp(`^ +(\\d+) +\\S* *${cell}$|^ +${cell} +(\\d+)$`, 'gm'))];
+  const rows = [...log.matchAll(new RegExp(`^ +(\\d+) +\\S* *${cell}$|^ +${cell} +(\\d+)$`, 'gm'))];
   return rows.length ? Number(rows.at(-1)[1] ?? rows.at(-1)[2]) : 0;
 };
 
