@@ -9,35 +9,19 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Calls visit(x, y) for points of equal area.
-template <typename Visit>
-void ForEachPoint(const Disc& disc, double x, double y, const Visit& visit) {
-  for (int ring = 0; ring < disc.rings; ++ring) {
-    const double radius = disc.radius * std::sqrt((ring + 0.5) / disc.rings);
-    for (int spoke = 0; spoke < disc.rings; ++spoke) {
-      // Odd rings turn by half a spoke.
-      const double angle = 2 * kPi * (spoke + 0.5 * (ring % 2)) / disc.rings;
-      visit(x + radius * std::cos(angle), y + radius * std::sin(angle));
-    }
-  }
-}
-
 // Mean light; normal(x, y) is nullopt where a point does not count.
 template <typename NormalOf>
-Rgb MeanOverDisc(const Light& light, const Material& material, const Disc& disc, double x, double y,
-                 const NormalOf& normal) {
+Rgb MeanOverDisc(const Light& light, const Material& material, const Disc::Points& points, double x,
+                 double y, const NormalOf& normal) {
   Rgb sum = {};
   int count = 0;
-  ForEachPoint(disc, x, y, [&](double u, double v) {
-    const std::optional<Vector> n = normal(u, v);
-    if (!n) return;
-    Light::Cosines cosines = light.CosinesOf(Normalised(*n));
-    const Light::Terms terms = light.TermsOf(cosines, material);
-    cosines.n_dot_l = std::clamp(cosines.n_dot_l, 0.0, 1.0);
-    const Light::Terms lit = light.TermsOf(cosines, material);
-    sum = Sum(sum, Sum(lit.diffuse, terms.specular));
+  for (const auto& [dx, dy] : points) {
+    const std::optional<Vector> n = normal(x + dx, y + dy);
+    if (!n) continue;
+    const Light::Terms terms = light.LitTermsOf(light.CosinesOf(Normalised(*n)), material);
+    sum = Sum(sum, Sum(terms.diffuse, terms.specular));
     ++count;
-  });
+  }
   const Rgb mean = count ? Scaled(1.0 / count, sum) : Rgb{};
   return Clamped(Sum(light.TermsOf({}, material).ambient, mean));
 }
@@ -61,9 +45,26 @@ Disc Disc::Within(const TrianglePacket& triangle, int rings) {
   return {std::min(kPixel, area / longest / 2), rings};
 }
 
+Disc::Points Disc::Offsets() const {
+  Points points;
+  points.reserve(static_cast<size_t>(rings * rings));
+  for (int ring = 0; ring < rings; ++ring) {
+    const double reach = radius * std::sqrt((ring + 0.5) / rings);
+    for (int spoke = 0; spoke < rings; ++spoke) {
+      // Odd rings turn by half a spoke.
+      const double angle = 2 * kPi * (spoke + 0.5 * (ring % 2)) / rings;
+      points.push_back({reach * std::cos(angle), reach * std::sin(angle)});
+    }
+  }
+  return points;
+}
+
 Footprint::Footprint(const FrameState& frame, const TrianglePacket& triangle,
                      const Distances& distances, const Disc& disc)
-    : disc_(disc), barycentric_(triangle), light_(frame), material_(MaterialOf(frame, triangle)) {
+    : points_(disc.Offsets()),
+      barycentric_(triangle),
+      light_(frame),
+      material_(MaterialOf(frame, triangle)) {
   for (size_t i = 0; i < 3; ++i) {
     normal_[i] = ToReal(triangle.n[i]);
     if (distances) normal_[i] = Scaled(1 / (*distances)[i], normal_[i]);
@@ -75,21 +76,23 @@ Vector Footprint::Normal(double x, double y) const {
 }
 
 Rgb Footprint::At(double x, double y) const {
-  return MeanOverDisc(light_, material_, disc_, x, y,
+  return MeanOverDisc(light_, material_, points_, x, y,
                       [this](double u, double v) { return std::optional<Vector>(Normal(u, v)); });
 }
 
 Rgb QuadraticFootprint::At(double x, double y) const {
   Rgb sum = {};
-  ForEachPoint(disc_, x, y,
-               [&](double u, double v) { sum = Sum(sum, quadratic_.AtUnclamped(u, v)); });
-  return Clamped(Scaled(1.0 / (disc_.rings * disc_.rings), sum));
+  for (const auto& [dx, dy] : points_) sum = Sum(sum, quadratic_.AtUnclamped(x + dx, y + dy));
+  return Clamped(Scaled(1.0 / static_cast<double>(points_.size()), sum));
 }
 
 // On the surface: enlarging a triangle is the same in every affine picture of it.
 PaperFootprint::PaperFootprint(const FrameState& frame, const TrianglePacket& triangle,
                                const Footprint::Distances& distances, const Disc& disc)
-    : disc_(disc), barycentric_(triangle), light_(frame), material_(MaterialOf(frame, triangle)) {
+    : points_(disc.Offsets()),
+      barycentric_(triangle),
+      light_(frame),
+      material_(MaterialOf(frame, triangle)) {
   constexpr std::array<double, 3> kX = {0, 1, 0}, kY = {0, 0, 1};
   for (size_t i = 0; i < 3; ++i) {
     const size_t before = (i + 2) % 3;
@@ -125,7 +128,7 @@ bool PaperFootprint::Subdivides() const {
 }
 
 Rgb PaperFootprint::At(double x, double y) const {
-  return MeanOverDisc(light_, material_, disc_, x, y, [this](double u, double v) {
+  return MeanOverDisc(light_, material_, points_, x, y, [this](double u, double v) {
     return Outside(u, v) ? std::nullopt : std::optional<Vector>(Normal(u, v));
   });
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "model/ideal/barycentric.h"
 #include "model/ideal/lighting.h"
@@ -20,6 +21,10 @@ struct Disc {
 
   // Small enough to span at most half a barycentric of the triangle.
   static Disc Within(const TrianglePacket& triangle, int rings);
+
+  // Points of equal area, from the centre.
+  using Points = std::vector<std::array<double, 2>>;
+  Points Offsets() const;
 };
 
 // A pixel's light as the mean over its footprint, paper 001, by brute force: 4096 points of the
@@ -45,7 +50,7 @@ class Footprint {
   Rgb At(double x, double y) const;
 
  private:
-  Disc disc_;
+  Disc::Points points_;
   Barycentric barycentric_;
   Light light_;
   Material material_;
@@ -56,12 +61,12 @@ class Footprint {
 class QuadraticFootprint {
  public:
   QuadraticFootprint(const FrameState& frame, const TrianglePacket& triangle)
-      : disc_(Disc::Within(triangle, 16)), quadratic_(frame, triangle) {}
+      : points_(Disc::Within(triangle, 16).Offsets()), quadratic_(frame, triangle) {}
 
   Rgb At(double x, double y) const;
 
  private:
-  Disc disc_;
+  Disc::Points points_;
   Quadratic quadratic_;
 };
 
@@ -81,7 +86,7 @@ class PaperFootprint {
   Rgb At(double x, double y) const;
 
  private:
-  Disc disc_;
+  Disc::Points points_;
   Barycentric barycentric_;
   Light light_;
   Material material_;

@@ -60,11 +60,17 @@ Light::Terms Light::TermsOf(const Cosines& cosines, const Material& material) co
   return terms;
 }
 
+Light::Terms Light::LitTermsOf(const Cosines& cosines, const Material& material) const {
+  Terms terms = TermsOf(cosines, material);
+  for (size_t c = 0; c < terms.diffuse.size(); ++c) {
+    terms.diffuse[c] = 255 * material.diffuse[c].ToReal() * std::clamp(cosines.n_dot_l, 0.0, 1.0);
+  }
+  return terms;
+}
+
 Rgb Light::ShadeCosines(const Cosines& cosines, const Material& material) const {
-  Cosines clamped = cosines;
-  clamped.n_dot_l = std::clamp(cosines.n_dot_l, 0.0, 1.0);
-  const Terms terms = TermsOf(cosines, material), lit = TermsOf(clamped, material);
-  return Clamped(Sum(terms.ambient, Sum(lit.diffuse, terms.specular)));
+  const Terms terms = LitTermsOf(cosines, material);
+  return Clamped(Sum(terms.ambient, Sum(terms.diffuse, terms.specular)));
 }
 
 Rgb Light::Shade(const Vector& normal, const Material& material) const {

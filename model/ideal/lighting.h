@@ -53,6 +53,8 @@ class Light {
     Rgb ambient, diffuse, specular;
   };
   Terms TermsOf(const Cosines& cosines, const Material& material) const;
+  // With N.L clamped to 0..1 in the diffuse term; R.V has it as it is.
+  Terms LitTermsOf(const Cosines& cosines, const Material& material) const;
 
  private:
   double SpecularCosine(const Cosines& cosines) const;
