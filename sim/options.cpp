@@ -111,7 +111,7 @@ void AddBench(CLI::App* app, Options* o, Words* w) {
   bench
       ->add_option("--methods", w->methods, "methods of shadesim list, with commas between, or all")
       ->capture_default_str();
-  bench->add_flag("--quick", o->quick, "small pictures, a few minutes on two cores");
+  bench->add_flag("--quick", o->quick, "small pictures, about a minute on two cores");
   bench->add_flag("--fresh", o->fresh, "forget what an earlier run left in the folder");
   bench->add_option("--synthesis", o->synthesis, "areas, from scripts/synth.sh --json")
       ->capture_default_str();

@@ -17,8 +17,8 @@
 namespace shading::sim {
 namespace {
 
-// Points of a pixel's footprint are kRings^2: within 0.05 codes of 4096 of them.
-constexpr int kRings = 12;
+// Points of a pixel's footprint are kDiscRings^2; Footprint::kRings^2 would take minutes.
+constexpr int kDiscRings = 12;
 
 // Up to a factor; nothing without perspective.
 ideal::Footprint::Distances DistancesOf(const FrameState& frame, const TrianglePacket& packet) {
@@ -31,11 +31,13 @@ ideal::Footprint::Distances DistancesOf(const FrameState& frame, const TriangleP
 
 struct SeamlessFootprint : ideal::Footprint {
   SeamlessFootprint(const FrameState& frame, const TrianglePacket& packet)
-      : Footprint(frame, packet, DistancesOf(frame, packet), ideal::Disc::Within(packet, kRings)) {}
+      : Footprint(frame, packet, DistancesOf(frame, packet),
+                  ideal::Disc::Within(packet, kDiscRings)) {}
 };
 struct EnlargedFootprint : ideal::PaperFootprint {
   EnlargedFootprint(const FrameState& frame, const TrianglePacket& packet)
-      : PaperFootprint(frame, packet, DistancesOf(frame, packet), {ideal::Disc::kPixel, kRings}) {}
+      : PaperFootprint(frame, packet, DistancesOf(frame, packet),
+                       {ideal::Disc::kPixel, kDiscRings}) {}
 };
 
 // Calls visit(pixel, ideal colour) for every covered pixel. A triangle is prepared once.
