@@ -101,6 +101,13 @@ module aniso_footprint
   logic [Lanes-1:0] is_inside, live, falls_back;
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_inside
     margin_t [Corners-1:0] at;               // of the sample
+    margin_t [Corners-1:0] lane_offset, stride;
+    for (genvar c = 0; c < Corners; c++) begin : gen_corner
+      constant_product #(.value_t(margin_t), .Factor(lane)) u_offset (
+        .value_i(footprint_i.margin_dx[c]), .product_o(lane_offset[c]));
+      constant_product #(.value_t(margin_t), .Factor(Lanes)) u_stride (
+        .value_i(footprint_q.margin_dx[c]), .product_o(stride[c]));
+    end
     always_comb begin
       is_inside[lane] = 1'b1;
       for (int unsigned c = 0; c < Corners; c++) begin
@@ -113,9 +120,9 @@ module aniso_footprint
     always_ff @(posedge clk_i) begin
       for (int unsigned c = 0; c < Corners; c++) begin
         if (load_i) begin
-          margin_q[lane][c] <= margin_i[c] + footprint_i.margin_dx[c] * margin_t'(lane);
+          margin_q[lane][c] <= margin_i[c] + lane_offset[c];
         end else if (step) begin
-          margin_q[lane][c] <= margin_q[lane][c] + footprint_q.margin_dx[c] * margin_t'(Lanes);
+          margin_q[lane][c] <= margin_q[lane][c] + stride[c];
         end
       end
       if (issue) any_live_q[lane] <= is_inside[lane] || (any_live_q[lane] && !first);

@@ -28,23 +28,26 @@ module lane_seed
   localparam int unsigned SecondPairs = Second * (Second - 1) / 2;
   localparam int unsigned StridePairs = Lanes * Lane + Lanes * (Lanes - 1) / 2;
 
-  // A product by a constant below 64 as additions, so that synthesis finds no multiplier.
-  function automatic value_t times(int unsigned factor, value_t value);
-    times = '0;
-    for (int unsigned k = 0; k < 6; k++) begin
-      if (factor[k]) times += value <<< k;
-    end
-  endfunction
-
   if (Lanes == 1) begin : gen_one
     assign seed_o = seed_i;
   end else begin : gen_many
-    assign seed_o.first      = seed_i.first + times(Lane, seed_i.difference) +
-                               times(FirstPairs, seed_i.curvature);
-    assign seed_o.second     = seed_i.first + times(Second, seed_i.difference) +
-                               times(SecondPairs, seed_i.curvature);
-    assign seed_o.difference = times(Lanes, seed_i.difference) +
-                               times(StridePairs, seed_i.curvature);
-    assign seed_o.curvature  = times(Lanes * Lanes, seed_i.curvature);
+    value_t to_first, bend_to_first, to_second, bend_to_second, stride, bend_of_stride;
+    constant_product #(.value_t(value_t), .Factor(Lane)) u_first (
+      .value_i(seed_i.difference), .product_o(to_first));
+    constant_product #(.value_t(value_t), .Factor(FirstPairs)) u_first_pairs (
+      .value_i(seed_i.curvature), .product_o(bend_to_first));
+    constant_product #(.value_t(value_t), .Factor(Second)) u_second (
+      .value_i(seed_i.difference), .product_o(to_second));
+    constant_product #(.value_t(value_t), .Factor(SecondPairs)) u_second_pairs (
+      .value_i(seed_i.curvature), .product_o(bend_to_second));
+    constant_product #(.value_t(value_t), .Factor(Lanes)) u_stride (
+      .value_i(seed_i.difference), .product_o(stride));
+    constant_product #(.value_t(value_t), .Factor(StridePairs)) u_stride_pairs (
+      .value_i(seed_i.curvature), .product_o(bend_of_stride));
+    constant_product #(.value_t(value_t), .Factor(Lanes * Lanes)) u_curvature (
+      .value_i(seed_i.curvature), .product_o(seed_o.curvature));
+    assign seed_o.first      = seed_i.first + to_first + bend_to_first;
+    assign seed_o.second     = seed_i.first + to_second + bend_to_second;
+    assign seed_o.difference = stride + bend_of_stride;
   end
 endmodule

@@ -79,12 +79,17 @@ module adaptive_normalizer_fill
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
     normal_t rounded;
     for (genvar i = 0; i < Components; i++) begin : gen_component
+      quantity_t offset, stride;            // from the first lane; of a group
+      constant_product #(.value_t(quantity_t), .Factor(lane)) u_offset (
+        .value_i(segment_i.difference[i]), .product_o(offset));
+      constant_product #(.value_t(quantity_t), .Factor(Lanes)) u_stride (
+        .value_i(difference_q[i]), .product_o(stride));
       assign rounded[i] = to_pixel_normal(value_q[lane][i]);
       always_ff @(posedge clk_i) begin
         if (load) begin
-          value_q[lane][i] <= segment_i.first[i] + segment_i.difference[i] * quantity_t'(lane);
+          value_q[lane][i] <= segment_i.first[i] + offset;
         end else if (advance) begin
-          value_q[lane][i] <= value_q[lane][i] + difference_q[i] * quantity_t'(Lanes);
+          value_q[lane][i] <= value_q[lane][i] + stride;
         end
       end
     end

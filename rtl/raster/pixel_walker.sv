@@ -33,7 +33,6 @@ module pixel_walker
   output logic      step_o        // the run goes on: step them
 );
   localparam int unsigned Latency = 1;
-  localparam int unsigned StrideShift = $clog2(Lanes);
 
   coord_t                 x_q, y_q;
   depth_acc_t [Lanes-1:0] z_q;
@@ -48,17 +47,19 @@ module pixel_walker
   assign load_o        = run_valid_i && run_ready_o;
   assign step_o        = send && !last_group;
 
+  depth_acc_t stride;
+  constant_product #(.Factor(Lanes)) u_stride (.value_i(dz_dx_q), .product_o(stride));
+
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
-    // dz/dx of the lanes before: shifts and an addition.
-    depth_acc_t offset;
-    assign offset = (lane % 2 == 1 ? run_i.dz_dx : '0) + (lane / 2 == 1 ? run_i.dz_dx <<< 1 : '0);
+    depth_acc_t offset;                     // from the first lane
+    constant_product #(.Factor(lane)) u_offset (.value_i(run_i.dz_dx), .product_o(offset));
     assign position_o[lane] = '{x: x_q + coord_t'(lane), y: y_q, z: to_depth(z_q[lane]),
                                 last: left_q == span_length_t'(lane + 1)};
     assign mask_o[lane] = left_q > span_length_t'(lane);
 
     always_ff @(posedge clk_i) begin
       if (load_o)      z_q[lane] <= run_i.z + offset;
-      else if (step_o) z_q[lane] <= z_q[lane] + (dz_dx_q <<< StrideShift);
+      else if (step_o) z_q[lane] <= z_q[lane] + stride;
     end
   end
 
