@@ -13,6 +13,7 @@ set(SHADING_RTL_PACKAGES
   ${PROJECT_SOURCE_DIR}/rtl/pkg/light_pkg.sv
   ${PROJECT_SOURCE_DIR}/rtl/pkg/normal_pkg.sv
   ${PROJECT_SOURCE_DIR}/rtl/pkg/footprint_pkg.sv
+  ${PROJECT_SOURCE_DIR}/rtl/pkg/method_pkg.sv
   ${PROJECT_SOURCE_DIR}/rtl/pkg/specular_table_pkg.sv
   ${PROJECT_SOURCE_DIR}/rtl/pkg/shading_pkg.sv)
 set(SHADING_RTL_FOLDERS
@@ -20,7 +21,8 @@ set(SHADING_RTL_FOLDERS
   -y ${PROJECT_SOURCE_DIR}/rtl/intensity
   -y ${PROJECT_SOURCE_DIR}/rtl/normal
   -y ${PROJECT_SOURCE_DIR}/rtl/light
-  -y ${PROJECT_SOURCE_DIR}/rtl/footprint)
+  -y ${PROJECT_SOURCE_DIR}/rtl/footprint
+  -y ${PROJECT_SOURCE_DIR}/rtl/choice)
 
 # Verilator's run time, compiled once; verilate() would compile it for every configuration.
 add_library(verilated_runtime STATIC

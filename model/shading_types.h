@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <string_view>
 
 #include "model/fixed/fixed.h"
 #include "model/footprint/footprint_types.h"
 #include "model/normal/normal_types.h"
+#include "model/shading_method.h"
 
 namespace shading {
 
@@ -26,97 +26,6 @@ using Tolerance = U<4, 12>;  // codes
 inline constexpr int kChannels = 3;  // red, green, blue
 inline constexpr int kCosines = 2;   // N.L, and N.H or N.V
 inline constexpr int kMaxScreen = 4096;
-
-// How a triangle is shaded. The value is the bit of the method in the RTL parameter Methods.
-enum class Method {
-  kFlat,
-  kGouraud,
-  kQuad,
-  kQuadPolynomial,
-  kQuadHorner,
-  kQuadStep,
-  kQuadMidpoint,
-  kQuadThreeTerm,
-  kQuadThirdDifference,
-  kQuadSegment,
-  kQuadDifference,
-  kQuadFootprint,
-  kQuadSplit,
-  kQuadCosine,
-  kPhong,
-  kPhongTaylor,
-  kPhongDuff,
-  kSlerp,
-  kSlerpPaper,
-  kSlerpIntensity,
-  kSlerpDirect,
-  kAdaptive,
-  kAdaptivePaper,
-  kAdaptiveChord,
-  kFootprint,
-  kFootprintPaper
-};
-inline constexpr int kMethodCount = 26;
-inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {"flat",
-                                                                            "gouraud",
-                                                                            "quad",
-                                                                            "quad-polynomial",
-                                                                            "quad-horner",
-                                                                            "quad-step",
-                                                                            "quad-midpoint",
-                                                                            "quad-three-term",
-                                                                            "quad-third-difference",
-                                                                            "quad-segment",
-                                                                            "quad-difference",
-                                                                            "quad-footprint",
-                                                                            "quad-split",
-                                                                            "quad-cosine",
-                                                                            "phong",
-                                                                            "phong-taylor",
-                                                                            "phong-duff",
-                                                                            "slerp",
-                                                                            "slerp-paper",
-                                                                            "slerp-intensity",
-                                                                            "slerp-direct",
-                                                                            "adaptive",
-                                                                            "adaptive-paper",
-                                                                            "adaptive-chord",
-                                                                            "footprint",
-                                                                            "footprint-paper"};
-inline constexpr std::string_view Name(Method method) {
-  return kMethodNames[static_cast<size_t>(method)];
-}
-template <size_t kCount>
-constexpr std::array<Method, kCount> FirstMethods() {
-  std::array<Method, kCount> methods{};
-  for (size_t i = 0; i < kCount; ++i) methods[i] = static_cast<Method>(i);
-  return methods;
-}
-inline constexpr auto kAllMethods = FirstMethods<kMethodCount>();
-// Methods that interpolate along a surface, by span_setup; the others interpolate normals.
-inline constexpr auto kSurfaceMethods =
-    FirstMethods<static_cast<size_t>(Method::kQuadCosine) + 1>();
-constexpr bool InterpolatesNormals(Method method) { return method > Method::kQuadCosine; }
-// Methods that light every pixel; the others interpolate intensities.
-constexpr bool LightsPixels(Method method) { return method >= Method::kQuadCosine; }
-constexpr bool IsSpherical(Method method) {
-  return method >= Method::kSlerp && method < Method::kAdaptiveChord;
-}
-// Methods whose normals come from adaptive_normalizer, not from recurrences of normal_setup.
-constexpr bool IsAdaptive(Method method) {
-  return method >= Method::kAdaptive && method <= Method::kAdaptiveChord;
-}
-// Methods that light several samples of a pixel and show their mean.
-constexpr bool IsFootprint(Method method) { return method >= Method::kFootprint; }
-// Methods that show the surface of paper 003 (2) and differ in how they compute a row, and its
-// mean.
-constexpr bool IsQuadRow(Method method) {
-  return method >= Method::kQuad && method <= Method::kQuadFootprint;
-}
-// Of these, the ones that evaluate the polynomial anew for every pixel.
-constexpr bool IsPointForm(Method method) {
-  return method == Method::kQuadPolynomial || method == Method::kQuadHorner;
-}
 
 // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes, one colour channel;
 // x, y in pixels from the triangle's origin, -4095..4095. F carries the half code that makes

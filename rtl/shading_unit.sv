@@ -18,6 +18,7 @@
 module shading_unit
   import footprint_pkg::*;
   import light_pkg::*;
+  import method_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
 #(

@@ -10,12 +10,12 @@ const [, , rtl, json, only] = process.argv;
 const wanted = only ? only.split(',') : null;
 const isWanted = (name) => !wanted || wanted.includes(name);
 const files = {};
-for (const folder of ['pkg', 'raster', 'intensity', 'normal', 'light', 'footprint', '.']) {
+for (const folder of ['pkg', 'raster', 'intensity', 'normal', 'light', 'footprint', 'choice', '.']) {
   for (const name of readdirSync(`${rtl}/${folder}`)) {
     if (name.endsWith('.sv')) files[name] = readFileSync(`${rtl}/${folder}/${name}`, 'utf8');
   }
 }
-const packages = ['fixed_pkg.sv', 'light_pkg.sv', 'normal_pkg.sv', 'footprint_pkg.sv',
+const packages = ['fixed_pkg.sv', 'light_pkg.sv', 'normal_pkg.sv', 'footprint_pkg.sv', 'method_pkg.sv',
   'specular_table_pkg.sv', 'shading_pkg.sv'];
 const sources = [...packages, ...Object.keys(files).filter((name) => !packages.includes(name))];
 

@@ -13,6 +13,7 @@
 // Model     ShadeSpan in model/shading_unit.cpp      Doc  docs/units/shading_unit.md
 module surface_shader
   import light_pkg::*;
+  import method_pkg::*;
   import shading_pkg::*;
 #(
   parameter methods_t Methods = SurfaceMethods & ~LitMethods,

@@ -14,6 +14,7 @@
 module lit_pixels
   import footprint_pkg::*;
   import light_pkg::*;
+  import method_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
 #(

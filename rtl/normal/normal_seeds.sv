@@ -14,6 +14,7 @@
 // Model     LightPixels in model/shading_unit.cpp      Doc  docs/units/shading_unit.md
 module normal_seeds
   import light_pkg::*;
+  import method_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
 #(

@@ -23,6 +23,7 @@
 module normal_shader
   import footprint_pkg::*;
   import light_pkg::*;
+  import method_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
 #(

@@ -3,6 +3,7 @@
 // Fixed-point formats. sI_F_t is signed SI.F: 1 sign, I integer and F fraction bits (1+I+F wide);
 // uI_F_t is unsigned UI.F (I+F wide). model/fixed/fixed.h is the C++ twin (S<I, F>, U<I, F>).
 package fixed_pkg;
+  typedef logic signed [17:0] s1_16_t;
   typedef logic signed [23:0] s1_22_t;
   typedef logic signed [25:0] s1_24_t;
   typedef logic signed [29:0] s1_28_t;
@@ -20,5 +21,6 @@ package fixed_pkg;
   typedef logic        [30:0] u1_30_t;
   typedef logic        [32:0] u1_32_t;
   typedef logic        [40:0] u1_40_t;
+  typedef logic        [23:0] u2_22_t;
   typedef logic        [45:0] u2_44_t;
 endpackage

@@ -6,6 +6,7 @@ package shading_pkg;
   import fixed_pkg::*;
   import footprint_pkg::*;
   import light_pkg::*;
+  import method_pkg::*;
   import normal_pkg::*;
 
   typedef s9_26_t      intensity_acc_t;      // intensity in codes, for recurrences; sums wrap
@@ -15,65 +16,6 @@ package shading_pkg;
   typedef logic [11:0] coord_t;              // pixel column or row
   typedef logic signed [12:0] offset_t;      // pixels from the triangle's origin, -4095..4095
   typedef logic [12:0] span_length_t;        // pixels in one span, 1..4096
-
-  typedef enum logic [4:0] {
-    MethodFlat                = 5'd0,
-    MethodGouraud             = 5'd1,
-    MethodQuad                = 5'd2,
-    MethodQuadPolynomial      = 5'd3,
-    MethodQuadHorner          = 5'd4,
-    MethodQuadStep            = 5'd5,
-    MethodQuadMidpoint        = 5'd6,
-    MethodQuadThreeTerm       = 5'd7,
-    MethodQuadThirdDifference = 5'd8,
-    MethodQuadSegment         = 5'd9,
-    MethodQuadDifference      = 5'd10,
-    MethodQuadFootprint       = 5'd11,
-    MethodQuadSplit           = 5'd12,
-    MethodQuadCosine          = 5'd13,
-    MethodPhong               = 5'd14,
-    MethodPhongTaylor         = 5'd15,
-    MethodPhongDuff           = 5'd16,
-    MethodSlerp               = 5'd17,
-    MethodSlerpPaper          = 5'd18,
-    MethodSlerpIntensity      = 5'd19,
-    MethodSlerpDirect         = 5'd20,
-    MethodAdaptive            = 5'd21,
-    MethodAdaptivePaper       = 5'd22,
-    MethodAdaptiveChord       = 5'd23,
-    MethodFootprint           = 5'd24,
-    MethodFootprintPaper      = 5'd25
-  } method_e;
-
-  // Which methods a build contains: bit k stands for the method with value k.
-  localparam int unsigned NumMethods = 26;
-  typedef logic [NumMethods-1:0] methods_t;
-  localparam methods_t AllMethods = '1;
-  function automatic methods_t method_bit(method_e method);
-    method_bit = methods_t'(1) << method;
-  endfunction
-
-  // Methods that interpolate along a surface, by span_setup; the others interpolate normals.
-  localparam methods_t SurfaceMethods = 26'h0003fff;
-  // Methods that light every pixel, by lit_pixels; the others interpolate intensities.
-  localparam methods_t LitMethods = 26'h3ffe000;
-  // Methods whose normals come from adaptive_normalizer, not from recurrences of normal_setup.
-  localparam methods_t AdaptiveMethods = 26'h0e00000;
-  // Methods that light several samples of a pixel and show their mean.
-  localparam methods_t FootprintMethods = 26'h3000000;
-  // Surfaces of second order whose spans start from differences of rows.
-  localparam methods_t PointMethods =
-    method_bit(MethodQuadPolynomial) | method_bit(MethodQuadHorner);
-  localparam methods_t RowMethods = SurfaceMethods & ~PointMethods & ~method_bit(MethodFlat) &
-                                    ~method_bit(MethodGouraud);
-
-  // The frame's method is one of the set; a build without others need not look.
-  function automatic logic is_any_of(methods_t built, method_e frame, methods_t set);
-    is_any_of = (built & set) != '0 && ((built & ~set) == '0 || set[frame]);
-  endfunction
-  function automatic logic is_method(methods_t built, method_e frame, method_e method);
-    is_method = is_any_of(built, frame, method_bit(method));
-  endfunction
 
   // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes; x and y in pixels from
   // the triangle's origin. F carries the half code that makes truncation round to nearest.

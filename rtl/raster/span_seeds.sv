@@ -13,6 +13,7 @@
 // Model     model/shading_unit.cpp      Doc  docs/units/shading_unit.md
 module span_seeds
   import light_pkg::*;
+  import method_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
 #(

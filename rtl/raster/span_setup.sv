@@ -24,6 +24,7 @@
 // Model     model/raster/span_setup.h      Doc  docs/units/raster/span_setup.md
 module span_setup
   import light_pkg::*;
+  import method_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
 #(
