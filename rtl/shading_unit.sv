@@ -4,8 +4,10 @@
 //
 //   triangle, span -> span_seeds -> pixel_walker + surface_shader -> pixel     intensities
 //                                -> pixel_walker + lit_pixels -> pixel         quad-cosine, normals
+//                                -> surface_shader -> lit_pixels -> pixel      auto: intensities
 //
 // Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
+//           MethodAuto needs ChosenMethods: choice_stage names one for each triangle.
 // Timing    Lanes pixels per cycle. Set-up overlaps the previous spans: no bubble between spans
 //           of 2 cycles or more for surfaces, of 8 cycles or more for normals.
 // Error     That of the method's units: 0.42 codes for intensities; see the page.
@@ -31,6 +33,7 @@ module shading_unit
   input  logic            material_valid_i,
   input  material_index_t material_index_i,
   input  material_t       material_i,
+  input  choice_limit_t   limit_i,          // of the material; auto
 
   input  logic            frame_valid_i,
   output logic            frame_ready_o,
@@ -51,24 +54,41 @@ module shading_unit
 
   output counters_t          counters_o    // of the current frame
 );
-  localparam bit HasIntensity = |(Methods & ~LitMethods);
-  localparam bit HasLit = |(Methods & LitMethods);
+  localparam bit HasAuto = Methods[MethodAuto];
 
   logic   frame_valid_q, take_frame, triangle_gate;
   frame_t frame_q;
-  logic   is_lit;                  // the frame lights every pixel
-  logic   is_adaptive;
-  logic   seeds_ready, span_inside;
-  assign is_lit           = is_any_of(Methods, frame_q.method, LitMethods);
-  assign is_adaptive      = is_any_of(Methods, frame_q.method, AdaptiveMethods);
+  logic   is_auto;
+  logic   stage_ready, span_inside;
+  assign is_auto          = HasAuto && frame_q.method == MethodAuto;
   assign triangle_gate    = frame_valid_q && !frame_valid_i;
-  assign triangle_ready_o = seeds_ready && triangle_gate;
+  assign triangle_ready_o = stage_ready && triangle_gate;
 
   ////////////
   // Set-up //
   ////////////
 
+  logic      stage_valid, seeds_ready, stage_busy, ambient;
+  triangle_t stage_triangle;
+  choice_t   stage_choice;
+  choice_stage #(.Methods(Methods)) u_choice_stage (
+    .clk_i, .rst_ni,
+    .method_i  (frame_q.method),
+    .lighting_i(frame_q.light.lighting),
+    .material_valid_i, .material_index_i, .limit_i,
+    .triangle_valid_i(triangle_valid_i && triangle_gate),
+    .triangle_ready_o(stage_ready),
+    .triangle_i,
+    .triangle_valid_o(stage_valid),
+    .triangle_ready_i(seeds_ready),
+    .triangle_o(stage_triangle),
+    .choice_o  (stage_choice),
+    .ambient_o (ambient),
+    .busy_o    (stage_busy)
+  );
+
   logic                          seeds_inside, seeds_busy, seed_valid, seed_ready;
+  choice_t                       choice;   // of the span whose seed is on offer
   run_t                          run;
   seed_t                         seed;     // of intensities
   split_seed_t    [Channels-1:0] split;    // quad-split
@@ -91,13 +111,16 @@ module shading_unit
     .clk_i, .rst_ni,
     .method_i        (frame_q.method),
     .light_i         (frame_q.light),
-    .triangle_valid_i(triangle_valid_i && triangle_gate),
+    .triangle_valid_i(stage_valid),
     .triangle_ready_o(seeds_ready),
-    .triangle_i, .span_valid_i, .span_ready_o, .span_i,
+    .triangle_i      (stage_triangle),
+    .choice_i        (stage_choice),
+    .span_valid_i, .span_ready_o, .span_i,
     .seed_valid_o    (seed_valid),
     .seed_ready_i    (seed_ready),
     .run_o           (run),
     .material_o      (material),
+    .choice_o        (choice),
     .seed_o          (seed),
     .split_o         (split),
     .point_o         (point),
@@ -121,97 +144,46 @@ module shading_unit
   // Pixels //
   ////////////
 
-  logic                         load, step, walker_valid, walker_ready, queue_ready, enter_valid;
-  position_t [Lanes-1:0]        position;
-  logic      [Lanes-1:0]        mask;
-  // The pixels of an adaptive method leave the walker together with their normals.
-  assign enter_valid  = walker_valid && is_lit && (!is_adaptive || group_valid);
-  assign group_ready  = is_adaptive && queue_ready;
-  assign walker_ready = is_lit ? queue_ready && (!is_adaptive || group_valid) : pixel_ready_i;
-
-  pixel_walker #(.Lanes(Lanes)) u_pixel_walker (
+  logic             load, load_lit, walker_valid, queue_busy;
+  logic [Lanes-1:0] unlit, no_highlight;
+  span_pixels #(.Methods(Methods), .Lanes(Lanes)) u_span_pixels (
     .clk_i, .rst_ni,
-    .run_valid_i  (seed_valid),
-    .run_ready_o  (seed_ready),
-    .run_i        (run),
-    .pixel_valid_o(walker_valid),
-    .pixel_ready_i(walker_ready),
-    .position_o   (position),
-    .mask_o       (mask),
-    .load_o       (load),
-    .step_o       (step)
+    .method_i    (frame_q.method),
+    .tolerance_i (frame_q.tolerance),
+    .light_i     (frame_q.light),
+    .material_valid_i, .material_index_i, .material_i,
+    .seed_valid_i(seed_valid),
+    .seed_ready_o(seed_ready),
+    .run_i       (run),
+    .material_of_i(material),
+    .choice_i    (choice),
+    .channel_i   (seed.channel),
+    .split_i     (split),
+    .point_i     (point),
+    .cosine_i    (cosine),
+    .quantity_i  (quantity),
+    .length_i    (length),
+    .kappa_i(kappa), .step_kappa_i(step_kappa), .arc_i(arc), .footprint_i(footprint),
+    .group_valid_i(group_valid),
+    .group_ready_o(group_ready),
+    .group_i     (group),
+    .pixel_valid_o, .pixel_ready_i, .pixel_o, .pixel_mask_o,
+    .unlit_o     (unlit),
+    .no_highlight_o(no_highlight),
+    .load_o      (load),
+    .load_lit_o  (load_lit),
+    .clear_i     (take_frame),
+    .samples_o   (samples),
+    .walker_valid_o(walker_valid),
+    .queue_busy_o(queue_busy)
   );
-
-  code_t [Lanes-1:0][Channels-1:0] surface_code;
-  if (HasIntensity) begin : gen_surface_shader
-    surface_shader #(.Methods(Methods & ~LitMethods), .Lanes(Lanes)) u_surface_shader (
-      .clk_i,
-      .method_i   (frame_q.method),
-      .tolerance_i(frame_q.tolerance),
-      .load_i     (load && !is_lit),
-      .step_i     (step && !is_lit),
-      .seed_i     (seed.channel),
-      .split_i    (split),
-      .point_i    (point),
-      .code_o     (surface_code)
-    );
-  end else begin : gen_no_surface_shader
-    assign surface_code = '0;
-  end
-
-  logic               lit_valid, queue_busy;
-  pixel_t [Lanes-1:0] lit_pixel;
-  logic   [Lanes-1:0] lit_mask, unlit, no_highlight;
-
-  if (HasLit) begin : gen_lit_pixels
-    lit_pixels #(.Methods(Methods & LitMethods), .Lanes(Lanes)) u_lit_pixels (
-      .clk_i, .rst_ni,
-      .method_i      (frame_q.method),
-      .light_i       (frame_q.light),
-      .material_valid_i, .material_index_i, .material_i,
-      .load_i        (load && is_lit),
-      .step_i        (step && is_lit),
-      .index_i       (material),
-      .quantity_i    (quantity),
-      .length_i      (length),
-      .kappa_i(kappa), .step_kappa_i(step_kappa),
-      .arc_i(arc), .footprint_i(footprint),
-      .cosine_i      (cosine),
-      .group_i       (group),
-      .enter_valid_i (enter_valid),
-      .enter_ready_o (queue_ready),
-      .position_i    (position),
-      .mask_i        (mask),
-      .pixel_valid_o (lit_valid),
-      .pixel_ready_i,
-      .pixel_o       (lit_pixel),
-      .mask_o        (lit_mask),
-      .unlit_o       (unlit),
-      .no_highlight_o(no_highlight),
-      .busy_o        (queue_busy),
-      .clear_i(take_frame), .samples_o(samples)
-    );
-  end else begin : gen_no_lit_pixels
-    assign {lit_valid, queue_busy, queue_ready, lit_pixel, lit_mask, unlit, no_highlight} = '0;
-    assign samples = '0;
-  end
-
-  assign pixel_valid_o = is_lit ? lit_valid : walker_valid;
-  assign pixel_mask_o  = is_lit ? lit_mask : mask;
-  for (genvar lane = 0; lane < Lanes; lane++) begin : gen_pixel
-    pixel_t surface_pixel;
-    assign surface_pixel = '{
-      x: position[lane].x, y: position[lane].y, z: position[lane].z, r: surface_code[lane][0],
-      g: surface_code[lane][1], b: surface_code[lane][2], last: position[lane].last};
-    assign pixel_o[lane] = is_lit ? lit_pixel[lane] : surface_pixel;
-  end
 
   ////////////////////////
   // Frame and counters //
   ////////////////////////
 
-  assign span_inside   = seeds_inside || (is_lit && (walker_valid || queue_busy));
-  assign frame_ready_o = !seeds_busy && !walker_valid && !queue_busy;
+  assign span_inside   = seeds_inside || walker_valid || queue_busy;
+  assign frame_ready_o = !stage_busy && !seeds_busy && !walker_valid && !queue_busy;
   assign take_frame    = frame_valid_i && frame_ready_o;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -226,8 +198,14 @@ module shading_unit
     .take_i        (pixel_valid_o && pixel_ready_i),
     .inside_i      (span_inside),
     .mask_i        (pixel_mask_o),
-    .unlit_i       (is_lit ? unlit : '0),
-    .no_highlight_i(is_lit ? no_highlight : '0),
+    .unlit_i       (unlit),
+    .no_highlight_i(no_highlight),
+    .ambient_i     (ambient),
+    .load_i        (load && is_auto),
+    .constant_i    (choice.method == MethodFlat),
+    .dark_i        (load_lit && choice.dark),
+    .unnormalised_i(load_lit && choice.method != MethodPhongDuff),
+    .channels_i    (choice.channels),
     .count_i       (count_valid),
     .normalised_i  (normalised),
     .skipped_i     (skipped),

@@ -16,12 +16,12 @@ module surface_shader
   import method_pkg::*;
   import shading_pkg::*;
 #(
-  parameter methods_t Methods = SurfaceMethods & ~LitMethods,
+  parameter methods_t Methods = IntensityMethods,
   parameter int unsigned Lanes = 1
 ) (
   input  logic       clk_i,
-  input  method_e    method_i,       // method and tolerance are stable while pixels are inside
-  input  tolerance_t tolerance_i,
+  input  tolerance_t tolerance_i,    // stable while pixels are inside
+  input  choice_t    choice_i,       // of the span that starts, at load_i
   input  logic       load_i,
   input  logic       step_i,
   input  channel_seed_t  [Channels-1:0] seed_i,
@@ -31,10 +31,14 @@ module surface_shader
 );
   localparam int unsigned Latency = 1;
 
-  methods_t active;                  // the frame's method, of those that are built
+  // The method of the span that starts and of the one inside, of those that are built.
+  choice_t  choice_q;
+  methods_t starts, active;
   for (genvar m = 0; m < NumMethods; m++) begin : gen_active
-    assign active[m] = is_method(Methods, method_i, method_e'(m));
+    assign starts[m] = is_method(Methods, choice_i.method, method_e'(m));
+    assign active[m] = is_method(Methods, choice_q.method, method_e'(m));
   end
+  always_ff @(posedge clk_i) if (load_i) choice_q <= choice_i;
 
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
     for (genvar ch = 0; ch < Channels; ch++) begin : gen_channel
@@ -45,8 +49,8 @@ module surface_shader
 
       for (genvar m = 0; m < NumMethods; m++) begin : gen_method
         logic load, step;
-        assign load = load_i && active[m];
-        assign step = step_i && active[m];
+        assign load = load_i && starts[m] && choice_i.channels[ch];
+        assign step = step_i && active[m] && choice_q.channels[ch];
         if (!Methods[m]) begin : gen_none
           assign code[m] = '0;
         end else if (m == MethodFlat) begin : gen_flat
@@ -93,7 +97,9 @@ module surface_shader
 
       always_comb begin
         code_o[lane][ch] = '0;
-        for (int m = 0; m < NumMethods; m++) if (active[m]) code_o[lane][ch] = code[m];
+        for (int m = 0; m < NumMethods; m++) begin
+          if (active[m] && choice_q.channels[ch]) code_o[lane][ch] = code[m];
+        end
       end
     end
   end

@@ -19,6 +19,7 @@ module lit_pixels
   import shading_pkg::*;
 #(
   parameter methods_t Methods = LitMethods,
+  parameter bit HasAuto = 1'b0,
   parameter int unsigned Lanes = 1
 ) (
   input  logic            clk_i,
@@ -34,6 +35,7 @@ module lit_pixels
   input  logic            load_i,
   input  logic            step_i,
   input  material_index_t index_i,         // of its material, at load_i
+  input  choice_t         choice_i,        // likewise
   input  quantity_seed_t [Components-1:0][Lanes-1:0] quantity_i,
   input  length_seed_t   [Lanes-1:0]                 length_i,
   input  kappa_t                                     kappa_i,
@@ -48,6 +50,8 @@ module lit_pixels
   output logic                  enter_ready_o,
   input  position_t [Lanes-1:0] position_i,
   input  logic      [Lanes-1:0] mask_i,
+  input  logic                  shaded_i,  // auto: the pixels have their codes
+  input  code_t [Lanes-1:0][Channels-1:0] shaded_code_i,
 
   output logic               pixel_valid_o,
   input  logic               pixel_ready_i,
@@ -67,11 +71,12 @@ module lit_pixels
   code_t [Lanes-1:0][Channels-1:0] code;
   logic  [Lanes-1:0]               unlit, no_highlight;
   material_index_t                 index_q, cosines_index;  // of the span; of the cosines
+  logic                            dark_q, cosines_dark;    // likewise
 
-  always_ff @(posedge clk_i) if (load_i) index_q <= index_i;
+  always_ff @(posedge clk_i) if (load_i) {dark_q, index_q} <= {choice_i.dark, index_i};
 
-  normal_shader #(.Methods(Methods), .Lanes(Lanes)) u_normal_shader (
-    .clk_i, .rst_ni, .method_i, .light_i,
+  normal_shader #(.Methods(Methods), .HasAuto(HasAuto), .Lanes(Lanes)) u_normal_shader (
+    .clk_i, .rst_ni, .method_i, .light_i, .choice_i,
     .load_i, .step_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i, .cosine_i, .group_i,
     .footprint_i,
     .pixel_valid_i(enter_valid_i),
@@ -92,6 +97,7 @@ module lit_pixels
     .material_valid_i, .material_index_i, .material_i,
     .valid_i       (cosines_valid),
     .index_i       (cosines_index),
+    .dark_i        (cosines_dark),
     .cosines_i     (cosines),
     .is_mean_i     (is_footprint),
     .place_i       (place),
@@ -102,14 +108,17 @@ module lit_pixels
     .no_highlight_o(no_highlight)
   );
 
-  pixel_queue #(.Lanes(Lanes)) u_pixel_queue (
+  pixel_queue #(.Lanes(Lanes), .HasShaded(HasAuto)) u_pixel_queue (
     .clk_i, .rst_ni,
     .enter_valid_i  (queue_valid),
     .enter_ready_o  (queue_ready),
     .position_i, .mask_i,
     .material_i     (index_q),
+    .dark_i         (dark_q),
+    .shaded_i, .shaded_code_i,
     .cosines_valid_i(cosines_valid && place.last),
     .material_o     (cosines_index),
+    .dark_o         (cosines_dark),
     .code_valid_i   (code_valid),
     .code_i         (code),
     .unlit_i        (unlit),

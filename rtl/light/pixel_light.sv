@@ -32,6 +32,7 @@ module pixel_light
 
   input  logic                              valid_i,
   input  material_index_t                   index_i,
+  input  logic                              dark_i,            // no highlight is wanted
   input  cosines_t [Lanes-1:0]              cosines_i,
   input  logic                              is_mean_i,         // stable while pixels are inside
   input  sample_place_t                     place_i,           // samples: all lanes alike
@@ -68,8 +69,9 @@ module pixel_light
   assign is_mean     = HasMean && is_mean_i;
   assign read_color  = valid_q[is_mean ? IndexStages - 1 : LightLatency - 2];
   assign color_index = index_q[is_mean ? IndexStages - 1 : LightLatency - 2];
-  specular_t                                            specular_q;
-  material_t                                         color_q;
+  specular_t specular_q;
+  logic [CosineLatency-1:0] dark_q;
+  material_t color_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= '0;
@@ -89,6 +91,7 @@ module pixel_light
       if (valid_q[k-1]) index_q[k] <= index_q[k-1];
     end
     if (valid_q[CosineLatency-2]) specular_q <= specular_table[index_q[CosineLatency-2]];
+    dark_q <= {dark_q[0], dark_i};
     if (read_color) color_q <= color_table[color_index];
   end
 
@@ -131,7 +134,7 @@ module pixel_light
     );
 
     blinn_specular u_blinn_specular (
-      .clk_i, .rst_ni, .valid_i(cosine_valid), .skip_i(!specular_q.has_specular),
+      .clk_i, .rst_ni, .valid_i(cosine_valid), .skip_i(!specular_q.has_specular || dark_q[CosineLatency-1]),
       .cosine_i(specular), .shininess_i(specular_q.shininess),
       .valid_o(power_valid), .highlight_o(highlight), .skipped_o(skipped)
     );

@@ -18,17 +18,18 @@ module normal_seeds
   import normal_pkg::*;
   import shading_pkg::*;
 #(
-  parameter methods_t Methods = ~SurfaceMethods,
+  parameter methods_t Methods = NormalMethods,
   parameter int unsigned Lanes = 1
 ) (
   input  logic      clk_i,
   input  logic      rst_ni,
-  input  method_e   method_i,        // method and light are stable while busy_o
+  input  method_e   method_i,        // of the frame; method and light are stable while busy_o
   input  light_t    light_i,
 
   input  logic      triangle_valid_i,
   output logic      triangle_ready_o,
   input  triangle_t triangle_i,
+  input  choice_t   choice_i,        // of the triangle
 
   input  logic      span_valid_i,
   output logic      span_ready_o,
@@ -61,9 +62,19 @@ module normal_seeds
   angle_limit_t                       limit;
   span_footprint_t                    footprint;
 
+  setup_kind_t kind;                 // of the triangle
+  assign kind = '{
+    spherical: is_method(Methods, choice_i.method, MethodSlerp) ||
+               is_method(Methods, choice_i.method, MethodSlerpPaper) ||
+               is_method(Methods, choice_i.method, MethodSlerpIntensity) ||
+               is_method(Methods, choice_i.method, MethodSlerpDirect),
+    cosines:   is_method(Methods, choice_i.method, MethodPhongDuff) ||
+               is_method(Methods, choice_i.method, MethodSlerpIntensity),
+    length:    is_method(Methods, choice_i.method, MethodPhongDuff)};
+
   span_binder u_span_binder (
     .clk_i, .rst_ni,
-    .triangle_valid_i, .triangle_ready_o, .triangle_i,
+    .triangle_valid_i, .triangle_ready_o, .triangle_i, .choice_i, .kind_i(kind),
     .span_valid_i, .span_ready_o, .span_i,
     .run_valid_o(run_valid),
     .run_ready_i(run_ready),
@@ -73,16 +84,6 @@ module normal_seeds
     .footprint_o(footprint),
     .busy_o     (binder_busy)
   );
-
-  setup_kind_t kind;
-  assign kind = '{
-    spherical: is_method(Methods, method_i, MethodSlerp) ||
-               is_method(Methods, method_i, MethodSlerpPaper) ||
-               is_method(Methods, method_i, MethodSlerpIntensity) ||
-               is_method(Methods, method_i, MethodSlerpDirect),
-    cosines:   is_method(Methods, method_i, MethodPhongDuff) ||
-               is_method(Methods, method_i, MethodSlerpIntensity),
-    length:    is_method(Methods, method_i, MethodPhongDuff)};
 
   logic     is_direct, recurrence_valid, recurrence_busy, direct_valid, direct_ready, direct_busy;
   logic     is_adaptive, recurrence_ready, adaptive_valid, adaptive_ready, adaptive_busy;
@@ -94,7 +95,6 @@ module normal_seeds
   if (|(Methods & ~AdaptiveMethods)) begin : gen_normal_setup
     normal_setup #(.Lanes(Lanes)) u_normal_setup (
       .clk_i, .rst_ni,
-      .kind_i      (kind),
       .light_i,
       .span_valid_i(run_valid && !is_adaptive),
       .span_ready_o(recurrence_ready),

@@ -26,12 +26,11 @@ module normal_setup
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,
-  input  setup_kind_t kind_i,                // stable while busy_o
   input  light_t      light_i,               // stable while busy_o
 
   input  logic        span_valid_i,
   output logic        span_ready_o,
-  input  lit_run_t    run_i,
+  input  lit_run_t    run_i,                 // with what is wanted
   input  span_normal_t [1:0][Components-1:0] normal_i,     // first and last pixel
 
   output logic        seed_valid_o,
@@ -53,12 +52,12 @@ module normal_setup
 
   logic [Stages-1:0]      take;
   logic [Stages-1:0][2:0] step;
-  lit_run_t               dots_run;          // of the span in the first stage
+  lit_run_t [Stages-1:0]  stage_run;         // of the span in each stage
   logic                   write_seed;
   normal_setup_control #(.Stages(Stages)) u_control (
     .clk_i, .rst_ni, .valid_i(span_valid_i), .ready_o(span_ready_o), .run_i,
     .valid_o(seed_valid_o), .ready_i(seed_ready_i), .run_o, .take_o(take), .step_o(step),
-    .first_run_o(dots_run), .write_o(write_seed), .busy_o);
+    .stage_run_o(stage_run), .write_o(write_seed), .busy_o);
 
   ////////////
   // Stages //
@@ -69,7 +68,7 @@ module normal_setup
   logic signed [39:0]   square_dots, along_dots;
   length_sq_t           length_dots;
   normal_setup_dots u_dots (
-    .clk_i, .kind_i, .light_i, .take_i(take[0]), .step_i(step[0]), .normal_i,
+    .clk_i, .kind_i(stage_run[0].kind), .light_i, .take_i(take[0]), .step_i(step[0]), .normal_i,
     .end_o(end_dots), .delta_o(delta_dots), .square_o(square_dots), .along_o(along_dots),
     .length_o(length_dots));
 
@@ -79,8 +78,8 @@ module normal_setup
   logic [36:0] inverse_square_chord, inverse_square_angle;
   logic [37:0] psi_square_chord;
   normal_setup_chord u_chord (
-    .clk_i, .take_i(take[1]), .step_i(step[1]), .spherical_i(kind_i.spherical),
-    .delta_i(delta_dots), .steps_i(12'(dots_run.run.length - 13'd1)), .delta_o(delta_chord),
+    .clk_i, .take_i(take[1]), .step_i(step[1]), .spherical_i(stage_run[0].kind.spherical),
+    .delta_i(delta_dots), .steps_i(12'(stage_run[0].run.length - 13'd1)), .delta_o(delta_chord),
     .exponent_o(exponent_chord), .inverse_o(inverse_chord),
     .inverse_square_o(inverse_square_chord), .psi_square_o(psi_square_chord),
     .ratio_o(ratio_chord));
@@ -112,7 +111,7 @@ module normal_setup
   quantity_seed_t [2:0] quantity;
   length_seed_t         length;
   normal_setup_difference u_difference (
-    .clk_i, .take_i(take[3]), .step_i(step[3]), .kind_i, .end_i(passed_angle_q.ends),
+    .clk_i, .take_i(take[3]), .step_i(step[3]), .kind_i(stage_run[3].kind), .end_i(passed_angle_q.ends),
     .delta_i(delta_angle_q), .exponent_i(exponent_angle), .inverse_i(inverse_angle),
     .inverse_square_i(inverse_square_angle), .kappa_i(kappa_angle), .slope_i(slope_angle),
     .square_i(passed_angle_q.square), .along_i(passed_angle_q.along),

@@ -23,7 +23,7 @@ module normal_setup_control
 
   output logic [Stages-1:0]      take_o,     // load the registers of a stage
   output logic [Stages-1:0][2:0] step_o,
-  output lit_run_t               first_run_o,  // of the span in stage 0
+  output lit_run_t [Stages-1:0]  stage_run_o,  // of the span in each stage
   output logic                   write_o,    // load the register of the result
   output logic                   busy_o      // a span is inside or its result waits
 );
@@ -38,7 +38,7 @@ module normal_setup_control
   assign write_o       = valid[Stages] && ready[Stages];
   assign valid_o       = valid_q;
   assign run_o         = run_q[Stages];
-  assign first_run_o   = run_q[0];
+  assign stage_run_o   = run_q[Stages-1:0];
   assign busy_o        = (|busy) || valid_q;
 
   for (genvar i = 0; i < Stages; i++) begin : gen_stage

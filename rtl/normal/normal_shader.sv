@@ -16,7 +16,9 @@
 // Timing    The recurrences march with the walker: 1 cycle from load_i to the first pixels. From
 //           the cycle in which pixels leave the walker and enter the queue to valid_o: 0 cycles for
 //           slerp-intensity and quad-cosine, else the sum of the units on the way. Never stops.
-//           Footprints hold a group in the walker until its last sample; each sample is valid_o.
+//           Footprints hold a group in the walker until its last sample; each sample is valid_o. In
+//           auto frames the cosines of all methods come as late as phong-duff's.
+// Gating    What a span's method does not use holds, and N.H of a dark span.
 // Formats   quantities S1.38, normals S1.24, cosines S1.30, each rounded to nearest once.
 // Error     That of the units on the way.
 // Model     model/normal/normal_shader.h      Doc  docs/units/shading_unit.md
@@ -28,13 +30,15 @@ module normal_shader
   import shading_pkg::*;
 #(
   parameter methods_t Methods = LitMethods,
+  parameter bit HasAuto = 1'b0,
   parameter int unsigned Lanes = 1
 ) (
   input  logic    clk_i,
   input  logic    rst_ni,
-  input  method_e method_i,          // method and light are stable while pixels are inside
+  input  method_e method_i,          // of the frame; method and light are stable while pixels are inside
   input  light_t  light_i,
 
+  input  choice_t choice_i,          // of the span that starts, at load_i
   input  logic    load_i,
   input  logic    step_i,
   input  quantity_seed_t [Components-1:0][Lanes-1:0] quantity_i,
@@ -61,36 +65,42 @@ module normal_shader
   input  logic                 clear_i,
   output sample_counters_t     samples_o      // since clear_i
 );
-  localparam bit HasCosine = Methods[MethodQuadCosine];
-  localparam bit HasPhong = Methods[MethodPhong];
-  localparam bit HasTaylor = Methods[MethodPhongTaylor];
   localparam bit HasDuff = Methods[MethodPhongDuff];
   localparam bit HasSlerp = Methods[MethodSlerp];
   localparam bit HasPaper = Methods[MethodSlerpPaper];
   localparam bit HasIntensity = Methods[MethodSlerpIntensity];
   localparam bit HasFootprint = |(Methods & FootprintMethods);
-  localparam bit HasLinearVector = HasPhong || HasTaylor || HasFootprint;
-  localparam bit HasDirect = Methods[MethodSlerpDirect];
-  localparam bit HasAdaptive = |(Methods & AdaptiveMethods);
-  localparam bit HasVector = HasLinearVector || HasSlerp || HasPaper || HasDirect || HasAdaptive;
+  localparam bit HasLinearVector = Methods[MethodPhong] || Methods[MethodPhongTaylor] ||
+                                   HasFootprint;
+  localparam bit HasVector = HasLinearVector || HasSlerp || HasPaper ||
+                             Methods[MethodSlerpDirect] || |(Methods & AdaptiveMethods);
   // Quantities that each kind of recurrence interpolates.
   localparam int unsigned LinearQuantities = HasLinearVector ? 3 : HasDuff ? 2 : 0;
   localparam int unsigned SlerpQuantities = HasSlerp ? 3 : HasIntensity ? 2 : 0;
 
-  logic is_phong, is_taylor, is_duff, is_slerp, is_paper, is_intensity, is_linear, is_reinsch;
-  logic is_direct, is_cosine, is_adaptive, is_footprint;
+  // What a span wants: of the one that starts, and of the one inside.
+  typedef struct packed {
+    logic linear, reinsch, paper, direct, duff, cosine, intensity;
+  } kind_t;
+  function automatic kind_t kind_of(method_e method);
+    kind_of.duff      = is_method(Methods, method, MethodPhongDuff);
+    kind_of.intensity = is_method(Methods, method, MethodSlerpIntensity);
+    kind_of.reinsch   = is_method(Methods, method, MethodSlerp) || kind_of.intensity;
+    kind_of.paper     = is_method(Methods, method, MethodSlerpPaper);
+    kind_of.direct    = is_method(Methods, method, MethodSlerpDirect);
+    kind_of.cosine    = is_method(Methods, method, MethodQuadCosine);
+    kind_of.linear    = is_method(Methods, method, MethodPhong) || kind_of.duff ||
+                        is_method(Methods, method, MethodPhongTaylor) ||
+                        is_any_of(Methods, method, FootprintMethods);
+  endfunction
+  kind_t   starts, now;
+  choice_t choice_q;
+  logic    is_auto, is_footprint;
+  assign starts       = kind_of(choice_i.method);
+  assign now          = kind_of(choice_q.method);
+  assign is_auto      = HasAuto && method_i == MethodAuto;
   assign is_footprint = is_any_of(Methods, method_i, FootprintMethods);
-  assign is_adaptive  = is_any_of(Methods, method_i, AdaptiveMethods);
-  assign is_cosine    = is_method(Methods, method_i, MethodQuadCosine);
-  assign is_direct    = is_method(Methods, method_i, MethodSlerpDirect);
-  assign is_phong     = is_method(Methods, method_i, MethodPhong);
-  assign is_taylor    = is_method(Methods, method_i, MethodPhongTaylor);
-  assign is_duff      = is_method(Methods, method_i, MethodPhongDuff);
-  assign is_slerp     = is_method(Methods, method_i, MethodSlerp);
-  assign is_paper     = is_method(Methods, method_i, MethodSlerpPaper);
-  assign is_intensity = is_method(Methods, method_i, MethodSlerpIntensity);
-  assign is_linear    = is_phong || is_taylor || is_duff || is_footprint;
-  assign is_reinsch   = is_slerp || is_intensity;
+  always_ff @(posedge clk_i) if (load_i) choice_q <= choice_i;
 
   /////////////////
   // Recurrences //
@@ -103,14 +113,14 @@ module normal_shader
     for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
       if (q < LinearQuantities) begin : gen_linear
         linear_recurrence u_linear_recurrence (
-          .clk_i, .load_i(load_i && is_linear), .step_i(step_i && is_linear),
+          .clk_i, .load_i(load_i && starts.linear && !(q == 1 && is_auto && choice_i.dark)), .step_i(step_i && now.linear && !(q == 1 && is_auto && choice_q.dark)),
           .seed_i(quantity_i[q][lane]), .value_o(linear[q][lane]));
       end else begin : gen_no_linear
         assign linear[q][lane] = '0;
       end
       if (q < SlerpQuantities) begin : gen_slerp
         slerp_recurrence u_slerp_recurrence (
-          .clk_i, .load_i(load_i && is_reinsch), .step_i(step_i && is_reinsch),
+          .clk_i, .load_i(load_i && starts.reinsch && !(q == 1 && is_auto && choice_i.dark)), .step_i(step_i && now.reinsch && !(q == 1 && is_auto && choice_q.dark)),
           .seed_i(quantity_i[q][lane]), .kappa_i, .value_o(reinsch[q][lane]));
       end else begin : gen_no_slerp
         assign reinsch[q][lane] = '0;
@@ -121,7 +131,7 @@ module normal_shader
       if (Lanes == 1) assign kappa = '{kappa_i, kappa_i};
       else            assign kappa = step_kappa_i;
       slerp_paper #(.Lanes(Lanes)) u_slerp_paper (
-        .clk_i, .load_i(load_i && is_paper), .step_i(step_i && is_paper),
+        .clk_i, .load_i(load_i && starts.paper), .step_i(step_i && now.paper),
         .seed_i(quantity_i[q]), .step_kappa_i(kappa), .value_o(paper[q]));
     end else begin : gen_no_paper
       assign paper[q] = '0;
@@ -155,70 +165,34 @@ module normal_shader
   assign valid_o = lane_valid[0];
 
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_cosines
-    logic     vector_valid, dot_valid, duff_valid;
-    cosines_t dot, duff, interpolated, curved;
+    logic     dot_valid, duff_valid, late_valid;
+    cosines_t dot, duff, interpolated, curved, straight, late;
 
     if (HasVector) begin : gen_vector
-      logic                           phong_valid, taylor_valid, direct_valid;
-      pixel_normal_t [Components-1:0] phong_normal, taylor_normal, slerp_normal, normal;
-      pixel_normal_t [Components-1:0] direct_normal;
-      quantity_t     [Components-1:0] line;
-      assign line = {linear[2][lane], linear[1][lane], linear[0][lane]};
-      if (HasPhong || HasFootprint) begin : gen_phong
-        phong_direct u_phong_direct (
-          .clk_i, .rst_ni, .valid_i(is_footprint ? sample_valid : leaves && is_phong),
-          .normal_i(is_footprint ? sample[lane] : line),
-          .valid_o(phong_valid), .normal_o(phong_normal));
-      end else begin : gen_no_phong
-        assign phong_valid  = 1'b0;
-        assign phong_normal = '0;
-      end
-      if (HasTaylor) begin : gen_taylor
-        taylor_normalizer u_taylor_normalizer (
-          .clk_i, .rst_ni, .valid_i(leaves && is_taylor), .normal_i(line),
-          .valid_o(taylor_valid), .normal_o(taylor_normal));
-      end else begin : gen_no_taylor
-        assign taylor_valid  = 1'b0;
-        assign taylor_normal = '0;
-      end
-      if (HasDirect) begin : gen_direct
-        slerp_direct #(.Lane(lane), .Lanes(Lanes)) u_slerp_direct (
-          .clk_i, .rst_ni, .load_i(load_i && is_direct), .step_i(step_i && is_direct), .arc_i,
-          .valid_i(leaves && is_direct), .valid_o(direct_valid), .normal_o(direct_normal));
-      end else begin : gen_no_direct
-        assign direct_valid  = 1'b0;
-        assign direct_normal = '0;
-      end
-      for (genvar c = 0; c < Components; c++) begin : gen_component
-        assign slerp_normal[c] = to_pixel_normal(is_paper ? paper[c][lane] : reinsch[c][lane]);
-        assign normal[c] = is_phong || is_footprint ? phong_normal[c] : is_taylor ? taylor_normal[c]
-                         : is_direct ? direct_normal[c] : is_adaptive ? group_i[lane][c]
-                         : slerp_normal[c];
-      end
-      assign vector_valid = is_phong || is_footprint ? phong_valid : is_taylor ? taylor_valid
-                          : is_direct ? direct_valid
-                          : leaves && (is_slerp || is_paper || is_adaptive);
-
-      logic dot_h_valid;  // the same as dot_valid
-      dot_product u_n_dot_l (
-        .clk_i, .rst_ni, .valid_i(vector_valid), .normal_i(normal), .vector_i(light_i.light),
-        .valid_o(dot_valid), .cosine_o(dot.n_dot_l));
-      dot_product u_n_dot_h_or_v (
-        .clk_i, .rst_ni, .valid_i(vector_valid), .normal_i(normal),
-        .vector_i(light_i.half_or_view), .valid_o(dot_h_valid), .cosine_o(dot.n_dot_h_or_v));
+      quantity_t [Components-1:0] line, arc, chord;
+      assign line  = {linear[2][lane], linear[1][lane], linear[0][lane]};
+      assign arc   = {reinsch[2][lane], reinsch[1][lane], reinsch[0][lane]};
+      assign chord = {paper[2][lane], paper[1][lane], paper[0][lane]};
+      vector_cosines #(.Methods(Methods), .Lane(lane), .Lanes(Lanes)) u_vector_cosines (
+        .clk_i, .rst_ni, .method_i, .light_i,
+        .load_i(load_i && starts.direct), .step_i(step_i && now.direct), .arc_i,
+        .valid_i(leaves), .linear_i(line), .reinsch_i(arc), .paper_i(chord),
+        .group_i(group_i[lane]), .sample_valid_i(sample_valid), .sample_i(sample[lane]),
+        .valid_o(dot_valid), .cosines_o(dot));
     end else begin : gen_no_vector
-      assign vector_valid = 1'b0;
-      assign dot_valid    = 1'b0;
-      assign dot          = '0;
+      assign dot_valid = 1'b0;
+      assign dot       = '0;
     end
 
     if (HasDuff) begin : gen_duff
+      quantity_t n_dot_h_or_v;
+      assign n_dot_h_or_v = is_auto && choice_q.dark ? '0 : linear[1][lane];
       length_recurrence u_length_recurrence (
-        .clk_i, .load_i(load_i && is_duff), .step_i(step_i && is_duff),
+        .clk_i, .load_i(load_i && starts.duff), .step_i(step_i && now.duff),
         .seed_i(length_i[lane]), .value_o(length_sq[lane]));
       duff_normalizer u_duff_normalizer (
-        .clk_i, .rst_ni, .valid_i(leaves && is_duff), .n_dot_l_i(linear[0][lane]),
-        .n_dot_h_or_v_i(linear[1][lane]), .length_sq_i(length_sq[lane]),
+        .clk_i, .rst_ni, .valid_i(leaves && now.duff), .n_dot_l_i(linear[0][lane]),
+        .n_dot_h_or_v_i(n_dot_h_or_v), .length_sq_i(length_sq[lane]),
         .valid_o(duff_valid), .cosines_o(duff));
     end else begin : gen_no_duff
       assign length_sq[lane] = '0;
@@ -226,12 +200,13 @@ module normal_shader
       assign duff            = '0;
     end
 
-    if (HasCosine) begin : gen_curve
+    if (Methods[MethodQuadCosine]) begin : gen_curve
       quad_cosine #(.Lane(lane), .Lanes(Lanes)) u_n_dot_l_curve (
-        .clk_i, .load_i(load_i && is_cosine), .step_i(step_i && is_cosine),
+        .clk_i, .load_i(load_i && starts.cosine), .step_i(step_i && now.cosine),
         .seed_i(cosine_i[0]), .cosine_o(curved.n_dot_l));
       quad_cosine #(.Lane(lane), .Lanes(Lanes)) u_n_dot_h_or_v_curve (
-        .clk_i, .load_i(load_i && is_cosine), .step_i(step_i && is_cosine),
+        .clk_i, .load_i(load_i && starts.cosine && !(is_auto && choice_i.dark)),
+        .step_i(step_i && now.cosine && !(is_auto && choice_q.dark)),
         .seed_i(cosine_i[1]), .cosine_o(curved.n_dot_h_or_v));
     end else begin : gen_no_curve
       assign curved = '0;
@@ -239,10 +214,22 @@ module normal_shader
 
     assign interpolated.n_dot_l      = quantity_to_cosine(reinsch[0][lane]);
     assign interpolated.n_dot_h_or_v = quantity_to_cosine(reinsch[1][lane]);
-    assign lane_valid[lane] = is_intensity || is_cosine ? leaves
-                            : is_duff                   ? duff_valid : dot_valid;
-    assign cosines_o[lane]  = is_cosine    ? curved
-                            : is_intensity ? interpolated
-                            : is_duff      ? duff : dot;
+    assign straight                  = now.cosine ? curved : interpolated;
+
+    if (HasAuto) begin : gen_delay
+      cosine_delay u_cosine_delay (
+        .clk_i, .rst_ni, .valid_i(is_auto && leaves && (now.cosine || now.intensity)),
+        .cosines_i(straight), .valid_o(late_valid), .cosines_o(late));
+    end else begin : gen_no_delay
+      assign late_valid = 1'b0;
+      assign late       = '0;
+    end
+
+    assign lane_valid[lane] = is_auto                     ? duff_valid || late_valid
+                            : now.intensity || now.cosine ? leaves
+                            : now.duff                    ? duff_valid : dot_valid;
+    assign cosines_o[lane]  = is_auto                     ? (duff_valid ? duff : late)
+                            : now.intensity || now.cosine ? straight
+                            : now.duff                    ? duff : dot;
   end
 endmodule

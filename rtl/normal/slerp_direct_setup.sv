@@ -44,12 +44,12 @@ module slerp_direct_setup
 
   logic [Stages-1:0]      take;
   logic [Stages-1:0][2:0] step;
-  lit_run_t               first_run;         // the stages read no run
+  lit_run_t [Stages-1:0]  stage_run;         // the stages read no run
   logic                   write_arc;
   normal_setup_control #(.Stages(Stages)) u_control (
     .clk_i, .rst_ni, .valid_i(seed_valid_i), .ready_o(seed_ready_o), .run_i,
     .valid_o(seed_valid_o), .ready_i(seed_ready_i), .run_o, .take_o(take), .step_o(step),
-    .first_run_o(first_run), .write_o(write_arc), .busy_o);
+    .stage_run_o(stage_run), .write_o(write_arc), .busy_o);
 
   arc_turn_t                     turn;
   span_normal_t [Components-1:0] start;

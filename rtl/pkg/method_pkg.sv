@@ -48,6 +48,9 @@ package method_pkg;
   localparam methods_t SurfaceMethods = 27'h0003fff;
   // Methods that light every pixel, by lit_pixels; the others interpolate intensities.
   localparam methods_t LitMethods = 27'h3ffe000;
+  // Methods that show interpolated intensities, and methods that interpolate normals.
+  localparam methods_t IntensityMethods = 27'h0001fff;
+  localparam methods_t NormalMethods = 27'h3ffc000;
   // Methods whose normals come from adaptive_normalizer, not from recurrences of normal_setup.
   localparam methods_t AdaptiveMethods = 27'h0e00000;
   // Methods that light several samples of a pixel and show their mean.

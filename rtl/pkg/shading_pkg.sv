@@ -58,6 +58,7 @@ package shading_pkg;
     coord_t                  origin_y;
     depth_acc_t              dz_dx;          // depth step per pixel
     material_index_t         material;       // methods that light every pixel
+    light_range_t            range;          // auto
     angle_limit_t            limit;          // adaptive methods
     footprint_t              footprint;      // footprint methods
     cosine_surface_t [Cosines-1:0]  cosine;  // quad-cosine
@@ -88,6 +89,8 @@ package shading_pkg;
 
   // A run and what lights it.
   typedef struct packed {
+    choice_t         choice;
+    setup_kind_t     kind;                   // of normal_setup
     run_t            run;
     material_index_t material;
   } lit_run_t;
@@ -151,6 +154,11 @@ package shading_pkg;
     logic [31:0] no_highlight;               // pixels whose power was not computed; same methods
     logic [31:0] normalised;                 // normalisations; adaptive methods
     logic [31:0] skipped;                    // pixels less those, span by span; adaptive methods
+    logic [31:0] ambient;                    // triangles that no light reaches; auto, as below
+    logic [31:0] constant;                   // spans of one colour
+    logic [31:0] dark;                       // spans that are lit without a highlight
+    logic [31:0] unnormalised;               // spans that are lit without a normalisation
+    logic [31:0] black;                      // spans times channels that are black
     sample_counters_t samples;               // footprint methods
   } counters_t;
 

@@ -2,9 +2,10 @@
 //
 // Reorders nothing: keeps the positions of the pixels that are being lit and joins them with their
 // codes. Admits as many groups of Lanes pixels as it can hold, so that the light pipeline behind it
-// never has to stop.
+// never has to stop. With HasShaded some groups enter with their codes and are not lit.
 //
-// Timing    A group whose codes come in one cycle is on offer from the next. A place is free in the
+// Timing    A group whose codes come in one cycle is on offer from the next, when those before it
+//           have left. A place is free in the
 //           cycle after its group left. No bubble as long as a group is on offer fewer than Depth
 //           cycles after it entered.
 // Streams   ready/valid at the walker's and at the pixels' side; the light side never waits.
@@ -15,7 +16,8 @@ module pixel_queue
   import light_pkg::*;
   import shading_pkg::*;
 #(
-  parameter int unsigned Lanes = 1
+  parameter int unsigned Lanes = 1,
+  parameter bit HasShaded = 1'b0
 ) (
   input  logic                  clk_i,
   input  logic                  rst_ni,
@@ -26,10 +28,14 @@ module pixel_queue
   input  position_t [Lanes-1:0] position_i,
   input  logic      [Lanes-1:0] mask_i,
   input  material_index_t       material_i,
+  input  logic                  dark_i,          // no highlight is wanted
+  input  logic                  shaded_i,        // the group has its codes, HasShaded only
+  input  code_t [Lanes-1:0][Channels-1:0] shaded_code_i,
 
   // To the light: the material of the group whose cosines come next.
   input  logic                  cosines_valid_i,
   output material_index_t       material_o,
+  output logic                  dark_o,
 
   // From the light.
   input  logic                               code_valid_i,
@@ -50,28 +56,41 @@ module pixel_queue
 
   typedef logic [$clog2(Depth)-1:0] place_t;
   typedef logic [$clog2(Depth):0]   count_t;
+  typedef code_t [Lanes-1:0][Channels-1:0] codes_t;
   typedef struct packed {
     position_t [Lanes-1:0] position;
     logic      [Lanes-1:0] mask;
   } entry_t;
   typedef struct packed {
-    code_t [Lanes-1:0][Channels-1:0] code;
-    logic  [Lanes-1:0]               unlit;
-    logic  [Lanes-1:0]               no_highlight;
+    codes_t           code;
+    logic [Lanes-1:0] unlit;
+    logic [Lanes-1:0] no_highlight;
   } lit_t;
+  // What the light is told of a group, in the order of the groups that are lit.
+  typedef struct packed {
+    material_index_t material;
+    logic            dark;
+  } lighting_t;
 
-  entry_t          entry_mem    [Depth];
-  material_index_t material_mem [Depth];
-  lit_t            lit_mem      [Depth];
+  entry_t    entry_mem    [Depth];
+  lighting_t lighting_mem [Depth];
+  lit_t      lit_mem      [Depth];
 
-  count_t enter_q, cosines_q, code_q, leave_q;   // groups so far, modulo 2 Depth
-  logic   enter, leave;
+  count_t enter_q, leave_q;                      // groups so far, modulo 2 Depth
+  count_t lit_enter_q, cosines_q, code_q;        // of those that are lit
+  place_t code_place, leave_place;
+  logic   enter, enter_lit, leave, shaded;
+  assign shaded        = HasShaded && shaded_i;
   assign enter_ready_o = count_t'(enter_q - leave_q) != count_t'(Depth);
   assign enter         = enter_valid_i && enter_ready_o;
-  assign pixel_valid_o = code_q != leave_q;
+  assign enter_lit     = enter && !shaded;
+  assign leave_place   = place_t'(leave_q);
   assign leave         = pixel_valid_o && pixel_ready_i;
   assign busy_o        = enter_q != leave_q;
-  assign material_o    = cosines_q == enter_q ? material_i : material_mem[place_t'(cosines_q)];
+  lighting_t lighting;
+  assign lighting = cosines_q == lit_enter_q ? '{material: material_i, dark: dark_i}
+                                             : lighting_mem[place_t'(cosines_q)];
+  assign {material_o, dark_o} = lighting;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -88,33 +107,68 @@ module pixel_queue
   end
 
   always_ff @(posedge clk_i) begin
-    if (enter) begin
-      entry_mem[place_t'(enter_q)]    <= '{position: position_i, mask: mask_i};
-      material_mem[place_t'(enter_q)] <= material_i;
+    if (enter)     entry_mem[place_t'(enter_q)] <= '{position: position_i, mask: mask_i};
+    if (enter_lit) begin
+      lighting_mem[place_t'(lit_enter_q)] <= '{material: material_i, dark: dark_i};
     end
     if (code_valid_i) begin
-      lit_mem[place_t'(code_q)] <= '{code: code_i, unlit: unlit_i, no_highlight: no_highlight_i};
+      lit_mem[code_place] <= '{code: code_i, unlit: unlit_i, no_highlight: no_highlight_i};
     end
+  end
+
+  // Groups that came with their codes lie between those that are lit.
+  logic   leave_shaded;                          // the group on offer came with its codes
+  codes_t leave_code;
+  if (HasShaded) begin : gen_shaded
+    place_t             place_mem [Depth];       // of the groups that are lit, in their order
+    codes_t             shaded_mem [Depth];
+    logic [Depth-1:0]   shaded_q, present_q;     // of each place: which codes, and whether they came
+    count_t             lit_enter_count_q;
+    assign lit_enter_q   = lit_enter_count_q;
+    assign code_place    = place_mem[place_t'(code_q)];
+    assign leave_shaded  = shaded_q[leave_place];
+    assign leave_code    = shaded_mem[leave_place];
+    assign pixel_valid_o = busy_o && present_q[leave_place];
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni)        lit_enter_count_q <= '0;
+      else if (enter_lit) lit_enter_count_q <= lit_enter_count_q + 1'b1;
+    end
+    always_ff @(posedge clk_i) begin
+      if (code_valid_i) present_q[code_place] <= 1'b1;
+      if (enter) begin
+        present_q[place_t'(enter_q)] <= shaded;
+        shaded_q[place_t'(enter_q)]  <= shaded;
+      end
+      if (enter_lit)       place_mem[place_t'(lit_enter_q)] <= place_t'(enter_q);
+      if (enter && shaded) shaded_mem[place_t'(enter_q)]    <= shaded_code_i;
+    end
+  end else begin : gen_lit
+    assign lit_enter_q   = enter_q;
+    assign code_place    = place_t'(code_q);
+    assign leave_shaded  = 1'b0;
+    assign leave_code    = '0;
+    assign pixel_valid_o = code_q != leave_q;
   end
 
   entry_t entry;
   lit_t   lit;
-  assign entry          = entry_mem[place_t'(leave_q)];
-  assign lit            = lit_mem[place_t'(leave_q)];
+  assign entry          = entry_mem[leave_place];
+  assign lit            = lit_mem[leave_place];
   assign mask_o         = entry.mask;
-  assign unlit_o        = entry.mask & lit.unlit;
-  assign no_highlight_o = entry.mask & lit.no_highlight;
+  assign unlit_o        = leave_shaded ? '0 : entry.mask & lit.unlit;
+  assign no_highlight_o = leave_shaded ? '0 : entry.mask & lit.no_highlight;
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
+    code_t [Channels-1:0] code;
+    assign code          = leave_shaded ? leave_code[lane] : lit.code[lane];
     assign pixel_o[lane] = '{x: entry.position[lane].x, y: entry.position[lane].y,
-                             z: entry.position[lane].z, r: lit.code[lane][0],
-                             g: lit.code[lane][1], b: lit.code[lane][2],
+                             z: entry.position[lane].z, r: code[0], g: code[1], b: code[2],
                              last: entry.position[lane].last};
   end
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
-    assert (!code_valid_i || code_q != enter_q) else $error("pixel_queue: a code of no pixel");
-    assert (!cosines_valid_i || cosines_q != enter_q || enter)
+    assert (!code_valid_i || code_q != lit_enter_q) else $error("pixel_queue: a code of no pixel");
+    assert (!cosines_valid_i || cosines_q != lit_enter_q || enter_lit)
       else $error("pixel_queue: cosines of no pixel");
   end
 `endif

@@ -28,10 +28,11 @@ module row_start
   parameter bit HasGouraud = 1'b1
 ) (
   input  logic     clk_i,
-  input  logic     is_quad_i,      // stable while a triangle is inside
+  input  logic     is_quad_i,      // of the triangle inside
   input  logic     is_gouraud_i,
 
   input  logic     load_i,
+  input  logic     load_quad_i,    // of the triangle that is loaded
   input  surface_t surface_i,
   input  logic     next_row_i,     // gouraud: may come with finish_i, which then sees the new row
   input  logic     product_i,
@@ -40,7 +41,8 @@ module row_start
   input  offset_t  x_i,            // of the span's first pixel
   output seed_t    seed_o
 );
-  logic is_quad, is_gouraud;
+  logic is_quad, is_gouraud, load_quad;
+  assign load_quad  = HasQuad && load_quad_i;
   assign is_quad    = HasQuad && is_quad_i;
   assign is_gouraud = HasGouraud && is_gouraud_i;
 
@@ -55,8 +57,8 @@ module row_start
     if (load_i) begin
       row_q            <= surface_i.f;
       slope_q          <= surface_i.d;
-      row_difference_q <= is_quad ? surface_i.b + surface_i.e : surface_i.e;
-      if (is_quad) begin
+      row_difference_q <= load_quad ? surface_i.b + surface_i.e : surface_i.e;
+      if (load_quad) begin
         a_q <= surface_i.a;
         b_q <= surface_i.b;
         c_q <= surface_i.c;
@@ -72,12 +74,12 @@ module row_start
 
   value_t ax_q, product_q, base_q, difference_q, curvature_q, slope, first;
   assign slope = is_quad ? ax_q + slope_q : slope_q;
-  assign first = is_quad || is_gouraud ? base_q + product_q : base_q;
+  assign first = HasQuad || HasGouraud ? base_q + product_q : base_q;
 
   always_ff @(posedge clk_i) begin
     if (product_i && is_quad) ax_q <= a_q * value_t'(x_i);
     if (finish_i) begin
-      if (is_quad || is_gouraud) product_q <= slope * value_t'(x_i);
+      product_q    <= is_quad || is_gouraud ? slope * value_t'(x_i) : '0;
       base_q       <= is_gouraud && next_row_i ? next_row : row_q;
       difference_q <= is_quad ? slope + ax_q + a_q : slope_q;
       curvature_q  <= is_quad ? a_q <<< 1 : '0;

@@ -12,6 +12,7 @@
 module span_binder
   import footprint_pkg::*;
   import light_pkg::*;
+  import method_pkg::*;
   import normal_pkg::*;
   import shading_pkg::*;
 (
@@ -21,6 +22,8 @@ module span_binder
   input  logic      triangle_valid_i,
   output logic      triangle_ready_o,
   input  triangle_t triangle_i,
+  input  choice_t   choice_i,        // of the triangle
+  input  setup_kind_t kind_i,        // likewise
 
   input  logic      span_valid_i,
   output logic      span_ready_o,
@@ -41,6 +44,8 @@ module span_binder
   depth_acc_t      dz_dx_q, dz_dx;
   material_index_t material_q, material;
   angle_limit_t    limit_q;
+  choice_t         choice_q;
+  setup_kind_t     kind_q;
   footprint_t      footprint_q;
 
   logic take_triangle, take_last;
@@ -62,14 +67,19 @@ module span_binder
       dz_dx_q     <= triangle_i.dz_dx;
       material_q  <= triangle_i.material;
       limit_q     <= triangle_i.limit;
+      choice_q    <= choice_i;
+      kind_q      <= kind_i;
       footprint_q <= triangle_i.footprint;
     end
   end
 
   assign dz_dx    = triangle_valid_q ? dz_dx_q : triangle_i.dz_dx;
   assign material = triangle_valid_q ? material_q : triangle_i.material;
-  assign run_o    = '{run: '{x: span_i.x, y: span_i.y, length: span_i.length, z: span_i.z,
-                             dz_dx: dz_dx}, material: material};
+  assign run_o    = '{choice: triangle_valid_q ? choice_q : choice_i,
+                      kind: triangle_valid_q ? kind_q : kind_i,
+                      run: '{x: span_i.x, y: span_i.y, length: span_i.length, z: span_i.z,
+                             dz_dx: dz_dx},
+                      material: material};
   assign normal_o = span_i.normal;
   assign limit_o  = triangle_valid_q ? limit_q : triangle_i.limit;
   assign footprint_o = '{footprint: triangle_valid_q ? footprint_q : triangle_i.footprint,

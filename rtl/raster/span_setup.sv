@@ -32,11 +32,10 @@ module span_setup
 ) (
   input  logic      clk_i,
   input  logic      rst_ni,
-  input  method_e   method_i,     // stable while busy_o
-
   input  logic      triangle_valid_i,
   output logic      triangle_ready_o,
   input  triangle_t triangle_i,
+  input  choice_t   choice_i,     // of the triangle
 
   input  logic      span_valid_i,
   output logic      span_ready_o,
@@ -48,6 +47,7 @@ module span_setup
   output split_seed_t   [Channels-1:0] split_o,     // quad-split
   output curve_seed_t   [Cosines-1:0]  cosine_o,    // quad-cosine
   output material_index_t              material_o,  // quad-cosine
+  output choice_t                      choice_o,
   output surface_point_t [Channels-1:0] point_o,    // quad-polynomial, quad-horner
 
   output logic      span_inside_o,  // a span is being set up or waits as a seed
@@ -63,11 +63,18 @@ module span_setup
   localparam bit HasCosine = Methods[MethodQuadCosine];
   localparam bit HasPoint = (Methods & PointMethods) != '0;
   localparam bit HasChannel = (Methods & ~PointMethods & ~method_bit(MethodQuadCosine)) != '0;
-  logic is_quad, is_gouraud, is_split, is_cosine;
-  assign is_quad    = is_any_of(Methods, method_i, RowMethods);
-  assign is_split   = is_method(Methods, method_i, MethodQuadSplit);
-  assign is_cosine  = is_method(Methods, method_i, MethodQuadCosine);
-  assign is_gouraud = is_method(Methods, method_i, MethodGouraud);
+  // Of the triangle inside, and of the one that is taken.
+  choice_t choice_q;
+  logic is_quad, is_gouraud, is_split, is_cosine, is_row;
+  logic load_row, load_cosine, load_split;
+  assign is_row      = is_any_of(Methods, choice_q.method, RowMethods);
+  assign is_split    = is_method(Methods, choice_q.method, MethodQuadSplit);
+  assign is_cosine   = is_method(Methods, choice_q.method, MethodQuadCosine);
+  assign is_gouraud  = is_method(Methods, choice_q.method, MethodGouraud);
+  assign is_quad     = is_row && !is_cosine;
+  assign load_row    = is_any_of(Methods, choice_i.method, RowMethods);
+  assign load_split  = is_method(Methods, choice_i.method, MethodQuadSplit);
+  assign load_cosine = is_method(Methods, choice_i.method, MethodQuadCosine);
 
   logic  triangle_valid_q;
   logic  span_valid_q;            // a span is in its steps
@@ -83,9 +90,9 @@ module span_setup
   coord_t row_q;                  // of the rows' registers
   logic   take_triangle, take_span, advance, next_row, last_step, release_triangle, write_seed;
   assign advance          = !(sum_valid_q && seed_valid_q && !seed_ready_i);
-  assign next_row         = span_valid_q && advance && (is_quad || is_gouraud) && row_q != span_q.y;
+  assign next_row         = span_valid_q && advance && (is_row || is_gouraud) && row_q != span_q.y;
   assign last_step        = span_valid_q && advance &&
-                            (is_quad ? product_q && row_q == span_q.y
+                            (is_row ? product_q && row_q == span_q.y
                                      : !is_gouraud || row_q == span_q.y ||
                                        coord_t'(row_q + 12'd1) == span_q.y);
   assign release_triangle = last_step && span_q.last;
@@ -117,6 +124,7 @@ module span_setup
 
   always_ff @(posedge clk_i) begin
     if (take_span) span_q <= span_i;
+    if (take_triangle) choice_q <= choice_i;
     if (take_triangle) row_q <= triangle_i.origin_y;
     else if (next_row) row_q <= coord_t'(row_q + 12'd1);
     product_q <= span_valid_q && !last_step && (product_q || advance);
@@ -134,6 +142,7 @@ module span_setup
 
   run_t run_q;                    // of the span whose last sum is due
   run_t seed_run_q;
+  choice_t run_choice_q;
   assign seed_o.run = seed_run_q;
   always_ff @(posedge clk_i) begin
     if (take_triangle) begin
@@ -144,6 +153,8 @@ module span_setup
     if (last_step) begin
       run_q <= '{x: span_q.x, y: span_q.y, length: span_q.length, z: span_q.z, dz_dx: dz_dx_q};
     end
+    if (last_step)  run_choice_q <= choice_q;
+    if (write_seed) choice_o     <= run_choice_q;
     if (write_seed) seed_run_q <= run_q;
   end
 
@@ -151,16 +162,20 @@ module span_setup
   // Surfaces //
   //////////////
 
-  logic form_product;
-  assign form_product = span_valid_q && advance && !product_q;
+  logic form_product, run_cosine, write_channel, write_cosine;
+  assign form_product  = span_valid_q && advance && !product_q;
+  assign run_cosine    = is_method(Methods, run_choice_q.method, MethodQuadCosine);
+  assign write_channel = write_seed && !run_cosine;
+  assign write_cosine  = write_seed && run_cosine;
 
   for (genvar ch = 0; ch < Channels; ch++) begin : gen_channel
     if (HasChannel) begin : gen_rows
       row_start #(.HasQuad(HasQuad), .HasGouraud(HasGouraud)) u_row_start (
         .clk_i, .is_quad_i(is_quad), .is_gouraud_i(is_gouraud),
-        .load_i(take_triangle), .surface_i(triangle_i.surface[ch]), .next_row_i(next_row),
-        .product_i(form_product), .finish_i(last_step), .write_i(write_seed), .x_i(local_x),
-        .seed_o(seed_o.channel[ch]));
+        .load_i(take_triangle && !load_cosine), .load_quad_i(load_row),
+        .surface_i(triangle_i.surface[ch]), .next_row_i(next_row),
+        .product_i(form_product), .finish_i(last_step && !is_cosine), .write_i(write_channel),
+        .x_i(local_x), .seed_o(seed_o.channel[ch]));
     end else begin : gen_no_rows
       assign seed_o.channel[ch] = '0;
     end
@@ -170,7 +185,8 @@ module span_setup
       assign split_o[ch].ambient = seed_ambient_q;
       row_start #(.HasGouraud(1'b0)) u_specular_row_start (
         .clk_i, .is_quad_i(is_split), .is_gouraud_i(1'b0),
-        .load_i(take_triangle), .surface_i(triangle_i.specular[ch]), .next_row_i(next_row),
+        .load_i(take_triangle && load_split), .load_quad_i(1'b1), .surface_i(triangle_i.specular[ch]),
+        .next_row_i(next_row),
         .product_i(form_product), .finish_i(last_step), .write_i(write_seed), .x_i(local_x),
         .seed_o(split_o[ch].specular));
       always_ff @(posedge clk_i) begin
@@ -202,8 +218,10 @@ module span_setup
                   .HasGouraud(1'b0))
       u_row_start (
         .clk_i, .is_quad_i(is_cosine), .is_gouraud_i(1'b0),
-        .load_i(take_triangle), .surface_i(triangle_i.cosine[i]), .next_row_i(next_row),
-        .product_i(form_product), .finish_i(last_step), .write_i(write_seed), .x_i(local_x),
+        .load_i(take_triangle && load_cosine), .load_quad_i(1'b1),
+        .surface_i(triangle_i.cosine[i]), .next_row_i(next_row),
+        .product_i(form_product), .finish_i(last_step && is_cosine), .write_i(write_cosine),
+        .x_i(local_x),
         .seed_o(cosine_o[i]));
     end
     always_ff @(posedge clk_i) begin
@@ -221,7 +239,7 @@ module span_setup
     if (take_span) begin
       assert (span_i.length != '0) else $error("span_setup: a span of 0 pixels");
     end
-    if (span_valid_q && (is_quad || is_gouraud)) begin
+    if (span_valid_q && (is_row || is_gouraud)) begin
       assert (row_q <= span_q.y) else $error("span_setup: a span above the one before it");
     end
   end
