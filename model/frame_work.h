@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/choice/choice_types.h"
 #include "model/light/light_types.h"
 #include "model/shading_types.h"
 
@@ -25,6 +26,7 @@ struct FrameWork {
   Tolerance tolerance;              // quad-segment; adaptive methods: see limit of TriangleState
   LightState light;                 // methods that light every pixel, as the materials
   std::vector<Material> materials;  // at most kMaxMaterials
+  std::vector<ChoiceLimit> limits;  // auto: of each material
   std::vector<TriangleState> triangles;
   std::vector<uint32_t> packet;  // of each triangle: its index in the triangle list
   std::vector<SpanCommand> spans;

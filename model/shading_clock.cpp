@@ -14,7 +14,7 @@ namespace {
 
 // A group leaves pixel_walker in some cycle and is on offer so many cycles later.
 constexpr int64_t LightLatency(Method method) {
-  return CosineLatency(method) + PixelLight::kContract.latency_cycles +
+  return CosineLatency(method == Method::kAuto ? Method::kPhongDuff : method) + PixelLight::kContract.latency_cycles +
          (IsFootprint(method) ? FootprintMean::kContract.latency_cycles : 0) +
          PixelQueue::kContract.latency_cycles;
 }
@@ -30,7 +30,8 @@ static_assert(QueueOutlastsLight(), "else a span would have bubbles, and Leave()
 }  // namespace
 
 ShadingClock::ShadingClock(Method method, int lanes, FlowPattern source, FlowPattern sink)
-    : method_(method),
+    : auto_(method == Method::kAuto),
+      method_(method),
       lanes_(lanes),
       source_(std::move(source)),
       sink_(std::move(sink)),
@@ -40,25 +41,34 @@ ShadingClock::ShadingClock(Method method, int lanes, FlowPattern source, FlowPat
   if (IsAdaptive(method) || IsFootprint(method)) left_.reserve(kMaxScreen);
 }
 
-void ShadingClock::Triangle() {
+void ShadingClock::Triangle(Method method) {
   constexpr int64_t kLead = FlowPattern::kTriangleLead;
-  binder_.TakeTriangle(source_.Next(binder_.triangle_taken() + 1 + kLead) - kLead);
+  const int64_t offered = source_.Next(triangle_taken_ + 1 + kLead) - kLead;
+  if (!auto_) {
+    triangle_taken_ = binder().TakeTriangle(offered);
+    return;
+  }
+  method_ = method;
+  triangle_taken_ = std::max(offered, stage_left_);
+  stage_left_ = binder().TakeTriangle(std::max(triangle_taken_, span_taken_) + 1);
 }
 
 int64_t ShadingClock::OfferSurfaceSeed(int64_t offered, int rows, bool last) {
-  span_taken_ = std::max(binder_.OfferRun(offered), last_step_);
+  span_taken_ = std::max(binder().OfferRun(offered), last_step_);
   // The first step shares its cycle with the last sum of the span before, which may be waiting for
   // the seed register.
   const int64_t first_step = std::max(span_taken_ + 1, sum_);
   last_step_ = first_step + SpanSetup::Steps(method_, rows) - 1;
-  sum_ = std::max(last_step_ + 1, seed_taken_);
-  binder_.PassSpan(last_step_, last);
-  return sum_ + 1;
+  sum_ = std::max(last_step_ + 1, surface_seed_taken_);
+  binder().PassSpan(last_step_, last);
+  if (!auto_) return sum_ + 1;
+  surface_seed_taken_ = seed_queue_.Take(sum_ + 1);
+  return surface_seed_taken_ + 1;
 }
 
 int64_t ShadingClock::OfferNormalSeed(int64_t offered, bool last) {
-  span_taken_ = std::max(binder_.OfferRun(offered), normal_setup_.free());
-  binder_.PassSpan(span_taken_, last);
+  span_taken_ = std::max(binder().OfferRun(offered), normal_setup_.free());
+  binder().PassSpan(span_taken_, last);
   const int64_t seed_offered = normal_setup_.Offer(span_taken_, normal_seed_taken_);
   if (method_ != Method::kSlerpDirect) return seed_offered;
   normal_seed_taken_ = std::max(seed_offered, arc_setup_.free());
@@ -68,11 +78,11 @@ int64_t ShadingClock::OfferNormalSeed(int64_t offered, bool last) {
 // Groups on offer to the light from cycle `offered` on enter as the queue has room. Room for a
 // later group never comes so late that the groups on offer would break off, since the light takes
 // fewer cycles than the queue has places.
-ShadingClock::Lit ShadingClock::Light(int64_t offered, int64_t groups) {
+ShadingClock::Lit ShadingClock::Light(int64_t offered, int64_t groups, int64_t latency) {
   const int64_t first = queue_.groups();
   Lit lit;
   lit.first_entered = std::max(offered, queue_.RoomFor(first, sink_) + 1);
-  lit.first_valid = std::max(lit.first_entered + LightLatency(method_), last_left_ + 1);
+  lit.first_valid = std::max(lit.first_entered + latency, last_left_ + 1);
   lit.sink_rank = sink_.always() ? lit.first_valid : sink_.Rank(lit.first_valid);
   lit.last_left =
       sink_.always() ? lit.first_valid + groups - 1 : sink_.Select(lit.sink_rank + groups - 1);
@@ -83,8 +93,11 @@ ShadingClock::Lit ShadingClock::Light(int64_t offered, int64_t groups) {
 }
 
 void ShadingClock::Leave(int64_t groups, SpanTiming* timing) {
-  if (LightsPixels(method_)) {
-    const Lit lit = Light(seed_taken_ + 1, groups);
+  if (auto_ || LightsPixels(method_)) {
+    const int64_t latency = !auto_ ? LightLatency(method_)
+                            : LightsPixels(method_) ? LightLatency(Method::kAuto)
+                                                    : PixelQueue::kContract.latency_cycles;
+    const Lit lit = Light(seed_taken_ + 1, groups, latency);
     timing->first_valid = lit.first_valid;
     timing->sink_rank = lit.sink_rank;
     timing->last_left = lit.last_left;
@@ -102,7 +115,7 @@ void ShadingClock::LeaveFootprints(int64_t groups, int samples, SpanTiming* timi
   left_.clear();
   walker_free_ = seed_taken_;
   for (int64_t i = 0; i < groups; ++i) {
-    const Lit lit = Light(walker_free_ + samples, 1);
+    const Lit lit = Light(walker_free_ + samples, 1, LightLatency(method_));
     if (i == 0) {
       timing->first_valid = lit.first_valid;
       timing->sink_rank = lit.sink_rank;
@@ -119,14 +132,14 @@ void ShadingClock::LeaveFootprints(int64_t groups, int samples, SpanTiming* timi
 SpanTiming ShadingClock::AdaptiveSpan(int setup_cycles,
                                       const std::vector<AdaptiveSegment>& segments, bool last) {
   SpanTiming timing;
-  span_taken_ = std::max(binder_.OfferRun(source_.Next(span_taken_ + 1)), adaptive_.free());
-  binder_.PassSpan(span_taken_, last);
+  span_taken_ = std::max(binder().OfferRun(source_.Next(span_taken_ + 1)), adaptive_.free());
+  binder().PassSpan(span_taken_, last);
   adaptive_.TakeSpan(span_taken_, setup_cycles);
   timing.accepted = span_taken_;
   left_.clear();
   for (const AdaptiveSegment& segment : segments) {
     adaptive_.Segment(segment, [&](int64_t offered, int64_t groups) {
-      const Lit lit = Light(offered, groups);
+      const Lit lit = Light(offered, groups, LightLatency(method_));
       if (left_.empty()) {
         timing.first_valid = lit.first_valid;
         timing.sink_rank = lit.sink_rank;
@@ -150,7 +163,12 @@ SpanTiming ShadingClock::Span(int length, int rows, bool last, int samples) {
   const int64_t seed_offered = InterpolatesNormals(method_) ? OfferNormalSeed(offered, last)
                                                             : OfferSurfaceSeed(offered, rows, last);
   seed_taken_ = std::max(seed_offered, walker_free_);
-  if (method_ != Method::kSlerpDirect) normal_seed_taken_ = seed_taken_;
+  if (!InterpolatesNormals(method_)) {
+    if (auto_) seed_queue_.Leave(seed_taken_);
+    else surface_seed_taken_ = seed_taken_;
+  } else if (method_ != Method::kSlerpDirect) {
+    normal_seed_taken_ = seed_taken_;
+  }
   timing.accepted = span_taken_;
   const int64_t groups = (length + lanes_ - 1) / lanes_;
   if (IsFootprint(method_)) {

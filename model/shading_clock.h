@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "model/choice/seed_queue.h"
 #include "model/flow_pattern.h"
 #include "model/normal/adaptive_clock.h"
 #include "model/normal/normal_setup.h"
@@ -34,14 +36,18 @@ struct SpanTiming {
 //   light          takes a group when pixel_queue has room and offers it a fixed time later
 //   footprints     a group's samples come cycle by cycle; with the last one it enters the queue
 //   adaptive       accepts in a, gives groups to the light segment by segment: AdaptiveClock
+//   auto           choice_stage passes a triangle when the spans before it are taken; seeds of
+//                  surfaces wait in seed_queue; every group goes through pixel_queue
 //
 // The source pattern says in which cycles a new triangle or span command may appear; once on offer
 // it stays. The sink pattern says in which cycles pixels are taken.
 class ShadingClock {
  public:
+  // Method of the frame.
   ShadingClock(Method method, int lanes, FlowPattern source, FlowPattern sink);
 
-  void Triangle();  // the next triangle command; its spans follow
+  // The next triangle command and, in auto frames, its method; its spans follow.
+  void Triangle(Method method);
   // rows: from the span before in the same triangle, 0 for the first.
   // samples: cycles of a group at the light, footprint methods.
   SpanTiming Span(int length, int rows, bool last, int samples = 1);
@@ -55,6 +61,7 @@ class ShadingClock {
   int lanes() const { return lanes_; }
 
  private:
+  SpanBinder& binder() { return binder_[InterpolatesNormals(method_)]; }
   int64_t OfferSurfaceSeed(int64_t offered, int rows, bool last);
   int64_t OfferNormalSeed(int64_t offered, bool last);
   // Groups on their way through the light, without a gap: the first and the last enter, the first
@@ -62,17 +69,23 @@ class ShadingClock {
   struct Lit {
     int64_t first_entered, last_entered, first_valid, sink_rank, last_left;
   };
-  Lit Light(int64_t offered, int64_t groups);
+  Lit Light(int64_t offered, int64_t groups, int64_t latency);
   void Leave(int64_t groups, SpanTiming* timing);
   // Group by group: each enters with its last sample.
   void LeaveFootprints(int64_t groups, int samples, SpanTiming* timing);
 
-  Method method_;
+  bool auto_;
+  Method method_;  // of the current triangle
   int lanes_;
   FlowPattern source_;
   FlowPattern sink_;
 
-  SpanBinder binder_;  // span_setup holds its triangle likewise, until the last span's last step
+  // Of surfaces and of normals: span_setup holds its triangle as span_binder does, until the last
+  // span's last step.
+  std::array<SpanBinder, 2> binder_;
+  int64_t triangle_taken_ = 0;  // at the port
+  int64_t stage_left_ = 0;      // choice_stage gave up the triangle before
+  SeedQueue seed_queue_;        // auto
   int64_t span_taken_ = 0;  // of the span before, and so on
   int64_t last_step_ = 0;   // span_setup
   int64_t sum_ = 0;
@@ -80,6 +93,7 @@ class ShadingClock {
   StageClock arc_setup_;
   AdaptiveClock adaptive_;
   std::vector<int64_t> left_;      // of the groups of the latest span: LeftOf
+  int64_t surface_seed_taken_ = 0;  // of span_setup, by seed_queue or pixel_walker
   int64_t normal_seed_taken_ = 0;  // of normal_setup, by slerp_direct_setup or pixel_walker
   int64_t seed_taken_ = 0;         // by pixel_walker
   int64_t walker_free_ = 0;        // the last group of the span before leaves pixel_walker

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "model/choice/choice_types.h"
 #include "model/fixed/fixed.h"
 #include "model/footprint/footprint_types.h"
 #include "model/normal/normal_types.h"
@@ -48,6 +49,7 @@ struct TriangleState {
   int origin_x = 0, origin_y = 0;               // first pixel of its first span, where x = y = 0
   DepthAcc dz_dx;                               // depth step per pixel
   int material = 0;                             // methods that light every pixel
+  LightRange range;                             // auto
   AngleLimit limit;                             // adaptive methods
   Footprint footprint;                          // footprint methods
   std::array<Surface, kChannels> surface;       // intensity; quad-split: diffuse, no half code

@@ -154,19 +154,19 @@ void ShadingUnit::LightFootprints(const SpanCommand& span, Pixel* pixels) {
 
 template <int kLanes>
 void ShadingUnit::LightPixels(const SpanCommand& span, Pixel* pixels) {
-  if (work_.method == Method::kQuadCosine) {
-    SpanSetup::Seed(work_.method, *triangle_, span, &seed_);
+  if (choice_.method == Method::kQuadCosine) {
+    SpanSetup::Seed(choice_.method, *triangle_, span, &seed_);
     return LightSpan<kLanes>(QuadCosineShader<kLanes>(seed_.cosine), pixels);
   }
   SpanBinder::Bind(*triangle_, span, &seed_);
-  if (IsAdaptive(work_.method)) {
+  if (IsAdaptive(choice_.method)) {
     const AdaptiveSegment* begin = segments_.data();
     return LightSpan<kLanes>(AdaptiveShader<kLanes>(begin, begin + segments_.size()), pixels);
   }
-  NormalSetup::Seed(SetupKindOf(work_.method), work_.light, span, kLanes, &seed_.normal);
+  NormalSetup::Seed(SetupKindOf(choice_.method), work_.light, span, kLanes, &seed_.normal);
   const NormalSeed& seed = seed_.normal;
-  if (IsFootprint(work_.method)) return LightFootprints<kLanes>(span, pixels);
-  switch (work_.method) {
+  if (IsFootprint(choice_.method)) return LightFootprints<kLanes>(span, pixels);
+  switch (choice_.method) {
     case Method::kPhong: return LightSpan<kLanes>(LinearShader<PhongDirect, kLanes>(seed), pixels);
     case Method::kPhongTaylor:
       return LightSpan<kLanes>(LinearShader<TaylorNormalizer, kLanes>(seed), pixels);
@@ -183,7 +183,7 @@ void ShadingUnit::LightPixels(const SpanCommand& span, Pixel* pixels) {
 
 void ShadingUnit::ShadeIntensities(Pixel* pixels) const {
   const SpanSeed& seed = seed_;
-  switch (work_.method) {
+  switch (choice_.method) {
     case Method::kFlat: return ShadeCurve<FlatColor>(seed, pixels);
     case Method::kGouraud: return ShadeCurve<GouraudInterpolator>(seed, pixels);
     case Method::kQuad:
@@ -209,9 +209,35 @@ void ShadingUnit::ShadeIntensities(Pixel* pixels) const {
   }
 }
 
+void ShadingUnit::Triangle(const TriangleState& triangle) {
+  triangle_ = &triangle;
+  const auto index = static_cast<size_t>(triangle.material);
+  if (work_.method == Method::kAuto) {
+    choice_ = MethodChoice::Of(triangle.range, work_.limits[index], work_.light.lighting);
+    counters_.ambient += choice_.ambient;
+  }
+  if (LightsPixels(choice_.method)) {
+    const Material& material = work_.materials[index];
+    light_.SetMaterial(material, !choice_.dark);
+    if (IsFootprint(choice_.method)) sample_light_.SetMaterial(material);
+  }
+  clock_.Triangle(choice_.method);
+  row_ = triangle.origin_y;
+}
+
+void ShadingUnit::CountSkips() {
+  const bool lit = LightsPixels(choice_.method);
+  counters_.constant += choice_.method == Method::kFlat;
+  counters_.dark += lit && choice_.dark;
+  counters_.unnormalised += lit && choice_.method != Method::kPhongDuff;
+  for (int channel = 0; channel < kChannels; ++channel) {
+    counters_.black += (choice_.channels >> channel & 1) == 0;
+  }
+}
+
 // Into segments; returns the cycles of set-up.
 int ShadingUnit::Divide(const SpanCommand& span) {
-  AdaptiveNormalizer normalizer(AdaptiveKindOf(work_.method), span.normal, span.length,
+  AdaptiveNormalizer normalizer(AdaptiveKindOf(choice_.method), span.normal, span.length,
                                 triangle_->limit);
   segments_.clear();
   AdaptiveSegment segment;
@@ -222,19 +248,20 @@ int ShadingUnit::Divide(const SpanCommand& span) {
 }
 
 SpanTiming ShadingUnit::Span(const SpanCommand& span, Pixel* pixels) {
-  const bool adaptive = IsAdaptive(work_.method);
+  const bool adaptive = IsAdaptive(choice_.method);
   const int setup_cycles = adaptive ? Divide(span) : 0;
-  if (LightsPixels(work_.method)) {
+  if (work_.method == Method::kAuto) CountSkips();
+  if (LightsPixels(choice_.method)) {
     if (clock_.lanes() == 1) {
       LightPixels<1>(span, pixels);
     } else {
       LightPixels<kMaxLanes>(span, pixels);
     }
   } else {
-    SpanSetup::Seed(work_.method, *triangle_, span, &seed_);
+    SpanSetup::Seed(choice_.method, *triangle_, span, &seed_);
     ShadeIntensities(pixels);
   }
-  const int samples = IsFootprint(work_.method) ? SampleCount(triangle_->footprint.pattern) : 1;
+  const int samples = IsFootprint(choice_.method) ? SampleCount(triangle_->footprint.pattern) : 1;
   const SpanTiming timing = adaptive ? clock_.AdaptiveSpan(setup_cycles, segments_, span.last)
                                      : clock_.Span(span.length, span.y - row_, span.last, samples);
   row_ = span.y;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "model/choice/method_choice.h"
 #include "model/footprint/footprint_light.h"
 #include "model/frame_work.h"
 #include "model/light/pixel_light.h"
@@ -22,6 +23,11 @@ struct Counters {
   int64_t no_highlight = 0;  // pixels whose power was not computed; the same
   int64_t normalised = 0;    // normalisations of spans; adaptive methods
   int64_t skipped = 0;       // pixels less those, span by span and not below 0; the same
+  int64_t ambient = 0;       // triangles that no light reaches; auto, as are the next four
+  int64_t constant = 0;      // spans of one colour
+  int64_t dark = 0;          // spans that are lit without a highlight
+  int64_t unnormalised = 0;  // spans that are lit without a normalisation
+  int64_t black = 0;         // spans times channels that are black
   int64_t samples_taken = 0;     // samples that were lit; footprint methods
   int64_t samples_excluded = 0;  // samples outside the enlarged triangle; the same
   int64_t samples_saved = 0;     // of 7 a pixel, those that were not wanted; the same
@@ -29,12 +35,14 @@ struct Counters {
   friend bool operator==(const Counters& a, const Counters& b) {
     return a.pixels == b.pixels && a.stall == b.stall && a.setup == b.setup && a.unlit == b.unlit &&
            a.no_highlight == b.no_highlight && a.normalised == b.normalised &&
-           a.skipped == b.skipped && a.samples_taken == b.samples_taken &&
+           a.skipped == b.skipped && a.ambient == b.ambient && a.constant == b.constant &&
+           a.dark == b.dark && a.unnormalised == b.unnormalised && a.black == b.black &&
+           a.samples_taken == b.samples_taken &&
            a.samples_excluded == b.samples_excluded && a.samples_saved == b.samples_saved;
   }
 };
 
-// Bit-exact and cycle-exact model of rtl/shading_unit.sv: one frame of one method.
+// Bit-exact and cycle-exact model of rtl/shading_unit.sv: one frame, of one method or auto.
 class ShadingUnit {
  public:
   // Latency: span accepted to first pixel of an idle unit, for quad. Interval: between two pixels.
@@ -54,6 +62,7 @@ class ShadingUnit {
               int paper_fraction_bits = Quantity::kFraction)
       : work_(work),
         paper_fraction_bits_(paper_fraction_bits),
+        choice_{work.method, false, false, 7},
         clock_(work.method, lanes, std::move(source), std::move(sink)),
         light_(work.light),
         sample_light_(work.light) {
@@ -61,16 +70,7 @@ class ShadingUnit {
   }
 
   // The triangle must outlive its spans.
-  void Triangle(const TriangleState& triangle) {
-    triangle_ = &triangle;
-    if (LightsPixels(work_.method)) {
-      const Material& material = work_.materials[static_cast<size_t>(triangle.material)];
-      light_.SetMaterial(material);
-      if (IsFootprint(work_.method)) sample_light_.SetMaterial(material);
-    }
-    clock_.Triangle();
-    row_ = triangle.origin_y;
-  }
+  void Triangle(const TriangleState& triangle);
 
   // Shades one span of the current triangle into `pixels`, which must hold span.length of them.
   SpanTiming Span(const SpanCommand& span, Pixel* pixels);
@@ -88,6 +88,7 @@ class ShadingUnit {
 
  private:
   int Divide(const SpanCommand& span);
+  void CountSkips();  // of a span in an auto frame
   template <int kLanes>
   void LightPixels(const SpanCommand& span, Pixel* pixels);
   void ShadeIntensities(Pixel* pixels) const;
@@ -98,6 +99,7 @@ class ShadingUnit {
 
   const FrameWork& work_;
   int paper_fraction_bits_;
+  Choice choice_;  // of the current triangle
   ShadingClock clock_;
   PixelLight light_;
   FootprintLight sample_light_;

@@ -37,7 +37,7 @@ class PixelLight {
 
   explicit PixelLight(const LightState& light);
 
-  void SetMaterial(const Material& material);
+  void SetMaterial(const Material& material, bool highlight = true);  // false: it is not wanted
 
   PixelCodes Shade(const LightCosines& cosines) const { return ShadeAndReport(cosines).codes; }
 

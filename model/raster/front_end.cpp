@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/choice/method_choice.h"
 #include "model/footprint/footprint_setup.h"
 #include "model/normal/adaptive_normalizer.h"
 #include "model/normal/span_normals.h"
@@ -35,7 +36,12 @@ AngleLimit LimitOf(const Material& material, Tolerance tolerance, Lighting light
 }  // namespace
 
 FrontEnd::FrontEnd(const FrameState& frame, Method method, const FrontEndOptions& options)
-    : frame_(frame), method_(method), options_(options), fit_(frame, method) {
+    : frame_(frame), method_(method), options_(options), fit_(frame) {
+  if (method == Method::kAuto) {
+    for (const Material& material : frame.materials) {
+      limits_.push_back(MethodChoice::LimitOf(material, options.tolerance));
+    }
+  }
   if (options.subdivide == Subdivide::kNever) return;
   for (const Material& material : frame.materials) {
     subdivision_.emplace_back(TurnLimit(method, material, options.tolerance));
@@ -63,6 +69,7 @@ FrameWork FrontEnd::Begin() const {
   }
   work.light = LightOf(frame_);
   work.materials = frame_.materials;
+  work.limits = limits_;
   return work;
 }
 
@@ -103,24 +110,33 @@ bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geomet
   triangle.origin_y = origin.y;
   triangle.dz_dx = DepthAcc::Wrap(static_cast<int64_t>(depth.dx));
   triangle.material = packet.material;
+  const Choice choice = Choose(packet, &triangle);
   if (IsAdaptive(method_)) {
     triangle.limit = LimitOf(frame_.materials[static_cast<size_t>(packet.material)],
                              options_.tolerance, frame_.lighting);
   }
   if (IsFootprint(method_)) {
     SetFootprint(packet, geometry, first, &triangle, work);
-  } else if (InterpolatesNormals(method_)) {
+  } else if (InterpolatesNormals(choice.method)) {
     using Interpolation = SpanNormals::Interpolation;
     work->split_spans += SpanNormals::Attach(
-        geometry, packet, IsSpherical(method_) ? Interpolation::kSpherical : Interpolation::kLinear,
+        geometry, packet,
+        IsSpherical(choice.method) ? Interpolation::kSpherical : Interpolation::kLinear,
         first, triangle.dz_dx, &work->spans);
   } else {
-    fit_.Fit(packet, geometry, origin.x, origin.y, &triangle);
+    fit_.Fit(packet, geometry, choice, origin.x, origin.y, &triangle);
   }
   work->triangles.push_back(triangle);
   work->packet.push_back(index);
   work->pixels += pixels;
   return true;
+}
+
+Choice FrontEnd::Choose(const TrianglePacket& packet, TriangleState* triangle) const {
+  if (method_ != Method::kAuto) return {method_, false, false, 7};
+  triangle->range = fit_.Range(packet);
+  return MethodChoice::Of(triangle->range, limits_[static_cast<size_t>(packet.material)],
+                          frame_.lighting);
 }
 
 void FrontEnd::SetFootprint(const TrianglePacket& packet, const TriangleGeometry& geometry,

@@ -18,7 +18,8 @@ struct FrontEndOptions {
 };
 
 // Triangle packets to the commands of the shading unit, integers only: set-up, span walk, vertex
-// lighting and surface fit. A packet that is not drawn is counted, and neither lit nor fitted.
+// lighting and surface fit. A packet that is not drawn is counted, and neither lit nor fitted. In auto
+// frames a triangle gets what the method chosen for it needs.
 class FrontEnd {
  public:
   FrontEnd(const FrameState& frame, Method method, const FrontEndOptions& options = {});
@@ -37,6 +38,8 @@ class FrontEnd {
   // False when it covers no pixel.
   bool Draw(const TrianglePacket& packet, const TriangleGeometry& geometry, uint32_t index,
             FrameWork* work) const;
+  // How the triangle is shaded; fills what the choice goes by.
+  Choice Choose(const TrianglePacket& packet, TriangleState* triangle) const;
   // Footprint and folded normals of the triangle whose spans begin at `first`.
   void SetFootprint(const TrianglePacket& packet, const TriangleGeometry& geometry, size_t first,
                     TriangleState* triangle, FrameWork* work) const;
@@ -45,6 +48,7 @@ class FrontEnd {
   Method method_;
   FrontEndOptions options_;
   TriangleFit fit_;
+  std::vector<ChoiceLimit> limits_;       // auto: of each material
   std::vector<Subdivision> subdivision_;  // of each material; none where nothing is subdivided
 };
 

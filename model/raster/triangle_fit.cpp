@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "model/choice/method_choice.h"
 #include "model/light/mean_cosines.h"
 #include "model/raster/surface_fit.h"
 
@@ -56,15 +57,33 @@ struct TriangleFit::Corners {
   }
 };
 
-void TriangleFit::Fit(const TrianglePacket& packet, const TriangleGeometry& geometry, int x, int y,
-                      TriangleState* triangle) const {
-  const Material& material = frame_.materials[static_cast<size_t>(packet.material)];
+TriangleFit::Corners TriangleFit::CornersOf(const TrianglePacket& packet,
+                                            const std::array<int, 3>& corner) const {
   Corners corners;
   for (size_t i = 0; i < 3; ++i) {
-    corners.normal[i] = packet.n[static_cast<size_t>(geometry.corner[i])];
+    corners.normal[i] = packet.n[static_cast<size_t>(corner[i])];
     corners.cosines[i] = light_.Cosines(corners.normal[i]);
   }
-  if (method_ == Method::kFlat) {
+  return corners;
+}
+
+LightRange TriangleFit::Range(const TrianglePacket& packet) const {
+  const Corners corners = CornersOf(packet, {0, 1, 2});
+  return MethodChoice::RangeOf(corners.normal, corners.cosines, LightOf(frame_));
+}
+
+void TriangleFit::Fit(const TrianglePacket& packet, const TriangleGeometry& geometry,
+                      const Choice& choice, int x, int y, TriangleState* triangle) const {
+  Material material = frame_.materials[static_cast<size_t>(packet.material)];
+  if (choice.ambient) {
+    for (size_t ch = 0; ch < kChannels; ++ch) {
+      triangle->surface[ch] = SurfaceFit::Constant(VertexLight::Ambient(material, ch));
+    }
+    return;
+  }
+  if (choice.dark) material.specular = {};
+  const Corners corners = CornersOf(packet, geometry.corner);
+  if (choice.method == Method::kFlat) {
     const auto color = light_.Shade(MeanCosines::OfFace(corners.normal, corners.cosines), material);
     for (size_t ch = 0; ch < kChannels; ++ch) {
       triangle->surface[ch] = SurfaceFit::Constant(color[ch]);
@@ -72,19 +91,19 @@ void TriangleFit::Fit(const TrianglePacket& packet, const TriangleGeometry& geom
     return;
   }
   const auto plane = TriangleSetup::Barycentrics(geometry, x, y);
-  if (method_ == Method::kQuadSplit) return FitTerms(corners, material, plane, triangle);
-  if (method_ == Method::kQuadCosine) return FitCosines(corners, plane, triangle);
-  FitIntensities(corners, material, geometry, plane, triangle);
+  if (choice.method == Method::kQuadSplit) return FitTerms(corners, material, plane, triangle);
+  if (choice.method == Method::kQuadCosine) return FitCosines(corners, plane, triangle);
+  FitIntensities(choice.method, corners, material, geometry, plane, triangle);
 }
 
-void TriangleFit::FitIntensities(const Corners& corners, const Material& material,
+void TriangleFit::FitIntensities(Method method, const Corners& corners, const Material& material,
                                  const TriangleGeometry& geometry,
                                  const std::array<Plane, 3>& plane, TriangleState* triangle) const {
   using Color = std::array<Intensity, kChannels>;
   const auto shade = [&](const LightCosines& cosines) { return light_.Shade(cosines, material); };
   std::array<Color, 3> corner;
   for (size_t i = 0; i < 3; ++i) corner[i] = shade(corners.cosines[i]);
-  if (method_ == Method::kGouraud) {
+  if (method == Method::kGouraud) {
     for (size_t ch = 0; ch < kChannels; ++ch) {
       triangle->surface[ch] =
           SurfaceFit::Linear(plane, {corner[0][ch], corner[1][ch], corner[2][ch]});
@@ -97,7 +116,7 @@ void TriangleFit::FitIntensities(const Corners& corners, const Material& materia
     const SurfaceNodes nodes = NodesOf<Intensity>(corner, middle, read);
     Surface& surface = triangle->surface[ch];
     surface = SurfaceFit::Quadratic(plane, nodes);
-    if (method_ != Method::kQuadFootprint) continue;
+    if (method != Method::kQuadFootprint) continue;
     surface.f =
         IntensityAcc::Wrap(surface.f.raw() + SurfaceFit::FootprintMean(geometry, nodes).raw());
   }

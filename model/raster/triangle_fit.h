@@ -12,16 +12,20 @@ namespace shading {
 // 003; where opposed normals leave a middle undefined, it has the mean of the corners' values.
 class TriangleFit {
  public:
-  TriangleFit(const FrameState& frame, Method method)
-      : frame_(frame), method_(method), light_(frame) {}
+  explicit TriangleFit(const FrameState& frame) : frame_(frame), light_(frame) {}
 
-  // Fills the surfaces that the method uses, counted from pixel (x, y) of the screen.
-  void Fit(const TrianglePacket& packet, const TriangleGeometry& geometry, int x, int y,
-           TriangleState* triangle) const;
+  // How far the normals turn, and the cosines at the vertices: what the choice goes by.
+  LightRange Range(const TrianglePacket& packet) const;
+
+  // Fills the surfaces that the method uses, counted from pixel (x, y) of the screen. A dark choice
+  // has no highlight, an ambient one no light at all.
+  void Fit(const TrianglePacket& packet, const TriangleGeometry& geometry, const Choice& choice,
+           int x, int y, TriangleState* triangle) const;
 
  private:
   struct Corners;
-  void FitIntensities(const Corners& corners, const Material& material,
+  Corners CornersOf(const TrianglePacket& packet, const std::array<int, 3>& corner) const;
+  void FitIntensities(Method method, const Corners& corners, const Material& material,
                       const TriangleGeometry& geometry, const std::array<Plane, 3>& plane,
                       TriangleState* triangle) const;
   void FitTerms(const Corners& corners, const Material& material, const std::array<Plane, 3>& plane,
@@ -30,7 +34,6 @@ class TriangleFit {
                   TriangleState* triangle) const;
 
   const FrameState& frame_;
-  Method method_;
   VertexLight light_;
 };
 

@@ -14,7 +14,8 @@ inline constexpr int kCoordWidth = 12;
 inline constexpr int kLengthWidth = 13;
 inline constexpr int kMaterialWidth = 8;
 inline constexpr int kMethodWidth = 5;
-inline constexpr int kTriangleWords = 88;
+inline constexpr int kChannelsWidth = 3;
+inline constexpr int kTriangleWords = 91;
 inline constexpr int kSpanWords = 12;
 
 template <typename Value, typename Bits>
@@ -32,6 +33,35 @@ void PutFootprint(const Footprint& footprint, Bits& bits) {
   bits.Put(static_cast<int64_t>(footprint.pattern), 2);
 }
 
+template <typename Bits>
+void PutRange(const LightRange& range, Bits& bits) {
+  for (const RangeCosine value :
+       {range.specular_high, range.specular_low, range.n_dot_l_high, range.n_dot_l_low}) {
+    bits.Put(value);
+  }
+  bits.Put(range.turn.raw(), Turn::kWidth);
+}
+
+template <typename Port>
+void DriveLimit(const ChoiceLimit& limit, Port& port) {
+  BitPacker<2> bits;
+  bits.Put(limit.channels, kChannelsWidth);
+  bits.Put(limit.below_full_dark, 1);
+  bits.Put(limit.below_full, 1);
+  bits.Put(limit.shininess.raw(), Shininess::kWidth);
+  for (const Log value : {limit.shininess_log, limit.specular, limit.diffuse}) bits.Put(value);
+  port = bits.template As64();
+}
+
+// choice_t, 10 bits.
+template <typename Bits>
+void PutChoice(const Choice& choice, Bits& bits) {
+  bits.Put(choice.channels, kChannelsWidth);
+  bits.Put(choice.ambient, 1);
+  bits.Put(choice.dark, 1);
+  bits.Put(static_cast<int64_t>(choice.method), kMethodWidth);
+}
+
 template <typename Port>
 void DriveTriangle(const TriangleState& triangle, Port& port) {
   BitPacker<kTriangleWords> bits;
@@ -41,6 +71,7 @@ void DriveTriangle(const TriangleState& triangle, Port& port) {
   for (const CosineSurface& s : triangle.cosine) PutSurface(s, bits);
   PutFootprint(triangle.footprint, bits);
   bits.Put(triangle.limit.raw(), AngleLimit::kWidth);
+  PutRange(triangle.range, bits);
   bits.Put(triangle.material, kMaterialWidth);
   bits.Put(triangle.dz_dx);
   bits.Put(triangle.origin_y, kCoordWidth);

@@ -144,6 +144,7 @@ class ShadingUnitDut : public RtlShadingUnit {
     for (size_t i = 0; i < work.materials.size(); ++i) {
       top_->material_index_i = static_cast<uint8_t>(i);
       DriveMaterial(work.materials[i], top_->material_i);
+      if (i < work.limits.size()) DriveLimit(work.limits[i], top_->limit_i);
       for (const bool level : {false, true}) {
         top_->clk_i = level;
         top_->eval();
@@ -196,6 +197,11 @@ class ShadingUnitDut : public RtlShadingUnit {
     counters.samples_saved = static_cast<int64_t>(bits.Take(32));
     counters.samples_excluded = static_cast<int64_t>(bits.Take(32));
     counters.samples_taken = static_cast<int64_t>(bits.Take(32));
+    counters.black = static_cast<int64_t>(bits.Take(32));
+    counters.unnormalised = static_cast<int64_t>(bits.Take(32));
+    counters.dark = static_cast<int64_t>(bits.Take(32));
+    counters.constant = static_cast<int64_t>(bits.Take(32));
+    counters.ambient = static_cast<int64_t>(bits.Take(32));
     counters.skipped = static_cast<int64_t>(bits.Take(32));
     counters.normalised = static_cast<int64_t>(bits.Take(32));
     counters.no_highlight = static_cast<int64_t>(bits.Take(32));
