@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "model/choice/method_choice.h"
 #include "model/footprint/aniso_footprint.h"
 #include "model/footprint/footprint_mean.h"
 #include "model/footprint/footprint_setup.h"
@@ -61,6 +62,7 @@ inline constexpr std::array kContracts = {
     SpecularPower::kContract,
     MeanCosines::kContract,
     VertexLight::kContract,
+    MethodChoice::kContract,
     SurfaceFit::kContract,
     SpanNormals::kContract,
     FootprintSetup::kContract,
