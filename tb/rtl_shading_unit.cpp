@@ -7,6 +7,8 @@
 #include "Vshading_unit_all___024root.h"
 #include "Vshading_unit_all_x4.h"
 #include "Vshading_unit_all_x4___024root.h"
+#include "Vshading_unit_auto.h"
+#include "Vshading_unit_auto___024root.h"
 #include "Vshading_unit_flat.h"
 #include "Vshading_unit_flat___024root.h"
 #include "Vshading_unit_footprint.h"
@@ -67,6 +69,7 @@ std::unique_ptr<RtlShadingUnit> RtlShadingUnit::Create(Method method, int lanes)
     case Method::kAdaptiveChord: return OneLane<Vshading_unit_adaptive>();
     case Method::kFootprint:
     case Method::kFootprintPaper: return OneLane<Vshading_unit_footprint>();
+    case Method::kAuto: return OneLane<Vshading_unit_auto>();
     default: return OneLane<Vshading_unit_quad_forms>();
   }
 }

@@ -46,11 +46,11 @@ int64_t Dot(const A& a, const B& b) {
 using Chord = std::array<S<2, 30>, 3>;  // Nb - Na
 
 // How much of each end the first difference takes, in S1.38, and kappa with kKappa fraction bits.
-struct Turn {
+struct ArcTurn {
   int64_t r, g, kappa;
 };
 
-Turn TurnOf(int64_t delta, const Reciprocal& inverse, int64_t inverse_square) {
+ArcTurn TurnOf(int64_t delta, const Reciprocal& inverse, int64_t inverse_square) {
   const auto segment = static_cast<size_t>(delta >> kOffset);
   const int64_t t = delta & kOffsetMask;
   const int e = inverse.exponent;
@@ -125,7 +125,7 @@ LengthSeed LengthOf(const SpanNormal& na, const Chord& chord, int64_t chord_squa
           LengthSquare::Wrap(RoundShift(t1 + t2, 4)), LengthSquare::Wrap(RoundShift(t2, 3))};
 }
 
-QuantitySeed QuantityOf(int64_t sa, int64_t sb, const Turn& turn) {
+QuantitySeed QuantityOf(int64_t sa, int64_t sb, const ArcTurn& turn) {
   const Int128 sum = static_cast<Int128>(sb) * turn.r - static_cast<Int128>(sa) * turn.g;
   return {Quantity::Wrap(sa), Quantity::Wrap(RoundShift(sum, kDelta))};
 }
@@ -160,7 +160,7 @@ void NormalSetup::Seed(const SetupKind& kind, const LightState& light, const Spa
   const bool turns = kind.spherical && m > 1;
   const int64_t delta =
       turns ? std::min(kMaxDelta, RoundShift(static_cast<uint64_t>(chord_square), 23)) : 0;
-  const Turn turn = TurnOf(delta, inverse, inverse_square);
+  const ArcTurn turn = TurnOf(delta, inverse, inverse_square);
 
   for (size_t i = 0; i < (kind.cosines ? 2 : 3); ++i) {
     const Vector3& direction = i == 0 ? light.light : light.half_or_view;

@@ -23,13 +23,13 @@ constexpr int64_t Clamp(int64_t value, int bits) {
 }
 
 // What turns a seed of any amplitude into an arc.
-struct Turn {
+struct ArcTurn {
   Angle step;
   int64_t inverse;  // 1/sin(phi) = inverse 2^exponent, 36 fraction bits
   int exponent;
 };
 
-Turn TurnOf(const Kappa& kappa) {
+ArcTurn TurnOf(const Kappa& kappa) {
   const int64_t mantissa = kappa.mantissa.raw();
   const ReciprocalRoot root = ReciprocalSqrt::Of(SquaredLength::FromRaw(mantissa << 16));
   const int exponent = kappa.exponent + root.exponent;
@@ -80,7 +80,7 @@ SpanArc SlerpDirectSetup::Of(const std::array<QuantitySeed, 3>& seed, const Kapp
   }
   if (kappa.mantissa.raw() == 0) return StraightArc(seed, arc);
 
-  const Turn turn = TurnOf(kappa);
+  const ArcTurn turn = TurnOf(kappa);
   arc.step = turn.step;
   for (size_t i = 0; i < 3; ++i) {
     const int64_t bend =

@@ -37,7 +37,8 @@ constexpr const char* kMethodText[] = {
     "the same as printed: of the span extended to 2^k steps; misses its end",
     "Phong's normals where it shows: normalised points of the chord, lines between",
     "mean light of 1 to 8 samples of a pixel's ellipse, as the turn of the normal wants; paper 001",
-    "the same in the paper's enlarged triangle: samples outside it are excluded"};
+    "the same in the paper's enlarged triangle: samples outside it are excluded",
+    "each triangle by the cheapest method that is sure to stay within --tolerance of phong"};
 
 void PrintTables() {
   fmt::print("Methods\n");

@@ -51,17 +51,17 @@ class NormalSetupDutOf {
     top_->rst_ni = 1;
   }
 
-  Result Run(const SetupKind& kind, const LightState& light, const std::vector<SpanCommand>& spans,
-             const FlowPattern& span_flow, const FlowPattern& seed_flow) {
+  // Span i is of kind i modulo their number.
+  Result Run(const std::vector<SetupKind>& kinds, const LightState& light,
+             const std::vector<SpanCommand>& spans, const FlowPattern& span_flow, const FlowPattern& seed_flow) {
     Result result;
-    top_->kind_i = static_cast<uint8_t>(kind.spherical << 2 | kind.cosines << 1 | kind.length);
     DriveLight(light, top_->light_i);
     const int64_t limit = 200 + static_cast<int64_t>(spans.size()) * 64;
     bool held = false;
     int64_t offered = 0;
     for (int64_t cycle = 0; result.seeds.size() < spans.size(); ++cycle) {
       if (!top_->span_valid_i && result.spans.size() < spans.size() && span_flow.At(cycle)) {
-        DriveSpan(spans[result.spans.size()]);
+        DriveSpan(kinds[result.spans.size() % kinds.size()], spans[result.spans.size()]);
         top_->span_valid_i = 1;
       }
       top_->seed_ready_i = seed_flow.At(cycle);
@@ -88,19 +88,21 @@ class NormalSetupDutOf {
   }
 
  private:
-  void DriveSpan(const SpanCommand& span) {
+  void DriveSpan(const SetupKind& kind, const SpanCommand& span) {
     BitPacker<6> normals;
     for (const SpanNormal& normal : span.normal) {
       for (const SpanNormalComponent value : normal) normals.Put(value);
     }
     normals.Store(top_->normal_i);
-    BitPacker<4> run;
+    BitPacker<5> run;
     run.Put(span.x & 255, 8);  // material
     run.Put(span.z);           // dz_dx
     run.Put(span.z);
     run.Put(span.length, 13);
     run.Put(span.y, 12);
     run.Put(span.x, 12);
+    run.Put(kind.spherical << 2 | kind.cosines << 1 | kind.length, 3);
+    run.Put(span.y & 1023, 10);  // choice
     run.Store(top_->run_i);
   }
   SpanCommand ReadRun() const {

@@ -50,7 +50,7 @@ void DriveLimit(const ChoiceLimit& limit, Port& port) {
   bits.Put(limit.below_full, 1);
   bits.Put(limit.shininess.raw(), Shininess::kWidth);
   for (const Log value : {limit.shininess_log, limit.specular, limit.diffuse}) bits.Put(value);
-  port = bits.template As64();
+  StoreBits(bits, port);
 }
 
 // choice_t, 10 bits.

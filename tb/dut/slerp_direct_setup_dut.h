@@ -23,14 +23,16 @@ class SlerpDirectSetupDut {
   static constexpr int kLatency = Vslerp_direct_setup_slerp_direct_setup::Latency;
   static constexpr int kInterval = Vslerp_direct_setup_slerp_direct_setup::Interval;
 
+  static constexpr size_t kRunWords = 5;
+
   struct Seed {
     std::array<QuantitySeed, 3> quantity;
     Kappa kappa;
-    std::array<uint32_t, 4> run;  // travels along unread; 125 bits
+    std::array<uint32_t, kRunWords> run;  // travels along unread; 138 bits
   };
   struct TimedArc {
     SpanArc arc;
-    std::array<uint32_t, 4> run;
+    std::array<uint32_t, kRunWords> run;
     int64_t offered;  // first cycle with seed_valid_o
     int64_t taken;
   };
@@ -84,7 +86,7 @@ class SlerpDirectSetupDut {
   }
 
  private:
-  static constexpr uint32_t kTopRun = (1u << 29) - 1;  // lit_run_t has 125 bits
+  static constexpr uint32_t kTopRun = (1u << 10) - 1;  // lit_run_t has 138 bits
 
   void Drive(const Seed& seed) {
     BitPacker<8> quantities;
@@ -92,11 +94,11 @@ class SlerpDirectSetupDut {
     quantities.Store(top_->quantity_i);
     top_->kappa_i = static_cast<uint64_t>(seed.kappa.mantissa.raw()) << 4 |
                     static_cast<uint64_t>(seed.kappa.exponent);
-    for (size_t word = 0; word < 4; ++word) top_->run_i[word] = seed.run[word];
-    top_->run_i[3] &= kTopRun;
+    for (size_t word = 0; word < kRunWords; ++word) top_->run_i[word] = seed.run[word];
+    top_->run_i[kRunWords - 1] &= kTopRun;
   }
-  std::array<uint32_t, 4> ReadRun() const {
-    return {top_->run_o[0], top_->run_o[1], top_->run_o[2], top_->run_o[3]};
+  std::array<uint32_t, kRunWords> ReadRun() const {
+    return {top_->run_o[0], top_->run_o[1], top_->run_o[2], top_->run_o[3], top_->run_o[4]};
   }
 
   void Settle() {

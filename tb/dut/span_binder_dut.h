@@ -33,6 +33,10 @@ class SpanBinderDut {
     return words;
   }
 
+  // Choice and kind of set-up that go in with triangle k: bits that differ from one to the next.
+  static uint16_t ChoiceOf(size_t k) { return static_cast<uint16_t>((k * 619 + 37) & 0x3ff); }
+  static uint8_t KindOf(size_t k) { return static_cast<uint8_t>((k * 5 + 3) & 7); }
+
   // The spans follow the order of the triangles; span.last ends a triangle.
   struct Work {
     std::vector<TriangleState> triangles;
@@ -45,6 +49,7 @@ class SpanBinderDut {
     SpanSeed run;
     std::array<SpanNormal, 2> normal;
     AngleLimit limit;
+    uint32_t choice, kind;            // as driven: see ChoiceOf and KindOf
     std::vector<uint32_t> footprint;  // bits of span_footprint_t
     int64_t offered;  // first cycle with run_valid_o
     int64_t taken;
@@ -98,11 +103,13 @@ class SpanBinderDut {
   }
 
  private:
-  static constexpr int kRunWords = 4, kNormalWords = 6, kFootprintWords = 27;
+  static constexpr int kRunWords = 5, kNormalWords = 6, kFootprintWords = 27;
 
   void Offer(const Work& work, const Flows& flows, int64_t cycle, const Result& result) {
     commands_.Offer(work.triangles, result.triangles.size(), flows.triangle.At(cycle), work.spans,
                     result.spans.size(), flows.span.At(cycle));
+    top_->choice_i = ChoiceOf(result.triangles.size());
+    top_->kind_i = KindOf(result.triangles.size());
     top_->run_ready_i = flows.run.At(cycle);
   }
 
@@ -144,6 +151,8 @@ class SpanBinderDut {
     bound.run.length = static_cast<int>(bits.Take(kLengthWidth));
     bound.run.y = static_cast<int>(bits.Take(kCoordWidth));
     bound.run.x = static_cast<int>(bits.Take(kCoordWidth));
+    bound.kind = static_cast<uint32_t>(bits.Take(3));
+    bound.choice = static_cast<uint32_t>(bits.Take(10));
     BitReader components(top_->normal_o);
     for (SpanNormal& normal : bound.normal) {
       for (auto& component : normal) component = components.TakeSigned<SpanNormalComponent>();

@@ -65,7 +65,9 @@ class SpanSetupDut {
   // allow, or after `limit` cycles.
   Result Run(const Work& work, const Flows& flows, int64_t limit = int64_t{1} << 40) {
     Result result;
-    top_->method_i = static_cast<uint8_t>(work.method);
+    BitPacker<1> choice;
+    PutChoice({work.method, false, false, 7}, choice);
+    StoreBits(choice, top_->choice_i);
     const int64_t patience = 16 + 2 * (flows.triangle.longest_gap() + flows.span.longest_gap() +
                                        flows.seed.longest_gap()) + kMaxScreen;
     int64_t deadline = patience;
@@ -120,6 +122,7 @@ class SpanSetupDut {
   SpanSeed ReadOutputs() const {
     SpanSeed seed = ReadSeed(top_->seed_o);
     seed.material = top_->material_o;
+    if (top_->choice_o != top_->choice_i) seed.length = -1;  // one choice serves the whole run
     BitReader<decltype(top_->split_o)> split(top_->split_o);
     for (SplitSeed& channel : seed.split) {
       channel.ambient = split.template TakeSigned<IntensityAcc>();

@@ -58,6 +58,8 @@ void ExpectRuns(const Dut::Work& work, const Dut::Result& result) {
     ASSERT_EQ(run.material, expected.material) << "span " << i;
     ASSERT_EQ(result.runs[i].normal, work.spans[i].normal) << "span " << i;
     ASSERT_EQ(result.runs[i].limit, work.triangles[triangle].limit) << "span " << i;
+    ASSERT_EQ(result.runs[i].choice, Dut::ChoiceOf(triangle)) << "span " << i;
+    ASSERT_EQ(result.runs[i].kind, Dut::KindOf(triangle)) << "span " << i;
     ASSERT_EQ(result.runs[i].footprint, Dut::FootprintBits(work.triangles[triangle], work.spans[i]))
         << "span " << i;
     if (work.spans[i].last) ++triangle;
