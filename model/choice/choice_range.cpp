@@ -68,12 +68,10 @@ void SetReflected(const std::array<LightCosines, 3>& cosines, const LightState& 
   range->specular_low = RangeCosine::FromRaw(-kOne);
   range->specular_high = RangeCosine::FromRaw(kOne);
   if (range->turn.raw() > int64_t{1} << Turn::kFraction) return;
-  const auto sum = RangeOver(cosines, [](const LightCosines& c) {
-    return c.n_dot_l.raw() + c.n_dot_h_or_v.raw();
-  });
-  const auto difference = RangeOver(cosines, [](const LightCosines& c) {
-    return c.n_dot_l.raw() - c.n_dot_h_or_v.raw();
-  });
+  const auto sum = RangeOver(
+      cosines, [](const LightCosines& c) { return c.n_dot_l.raw() + c.n_dot_h_or_v.raw(); });
+  const auto difference = RangeOver(
+      cosines, [](const LightCosines& c) { return c.n_dot_l.raw() - c.n_dot_h_or_v.raw(); });
   const Squares plus = SquaresOf(sum, range->turn), minus = SquaresOf(difference, range->turn);
   constexpr int kDrop = 11;  // 2^-40 / 2 -> 2^-30
   const int64_t most = -(-(plus.most - minus.least) >> kDrop) - light.l_dot_v.raw();
@@ -103,8 +101,7 @@ LightRange MethodChoice::RangeOf(const std::array<Vector3, 3>& normals,
                                  const LightState& light) {
   LightRange range;
   range.turn = TurnOf(normals);
-  const Range lit =
-      RangeOver(cosines, [](const LightCosines& c) { return c.n_dot_l.raw(); });
+  const Range lit = RangeOver(cosines, [](const LightCosines& c) { return c.n_dot_l.raw(); });
   range.n_dot_l_low = Down(lit.low);
   range.n_dot_l_high = Up(lit.high);
   if (light.lighting == Lighting::kPhong) {

@@ -10,9 +10,9 @@
 namespace shading {
 
 // Twins of the typedefs in rtl/pkg/method_pkg.sv.
-using Turn = U<2, 22>;        // |Na - Nb|^2 of two normals
+using Turn = U<2, 22>;         // |Na - Nb|^2 of two normals
 using RangeCosine = S<1, 16>;  // bound on a cosine
-using Log = S<6, 5>;          // binary logarithm; kLogOfZero stands for that of 0
+using Log = S<6, 5>;           // binary logarithm; kLogOfZero stands for that of 0
 
 inline constexpr Log kLogOfZero = Log::FromRaw(-(int64_t{32} << Log::kFraction));
 
@@ -25,9 +25,9 @@ struct LightRange {
 
 // What the choice needs of a material, relative to the tolerance.
 struct ChoiceLimit {
-  Log diffuse;              // log2 of 255 kd / tolerance, brightest channel
-  Log specular;             // log2 of 255 ks / tolerance
-  Log shininess_log;        // log2 n
+  Log diffuse;        // log2 of 255 kd / tolerance, brightest channel
+  Log specular;       // log2 of 255 ks / tolerance
+  Log shininess_log;  // log2 n
   Shininess shininess;
   bool below_full = false;       // ambient + kd + ks <= 1 in every channel
   bool below_full_dark = false;  // ambient + kd <= 1

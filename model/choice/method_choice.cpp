@@ -15,6 +15,11 @@ constexpr int kZeroLog = static_cast<int>(kLogOfZero.raw());
 constexpr int64_t kOneTurn = int64_t{1} << Turn::kFraction;
 // A highlight of at most T / 8 does not show.
 constexpr int kDarkLog = -3 * kOneLog;
+// Below n = 4 a highlight has no smooth end: only its steady part is looked at.
+constexpr int64_t kSmoothShininess = int64_t{4} << Shininess::kFraction;
+constexpr int64_t kSmoothCosine = int64_t{1} << (RangeCosine::kFraction - 1);
+
+int HalfUp(int value) { return (value + 1) >> 1; }
 
 // log2 of the turn, rounded up: log2(1 + m) <= m + 0.0861. Of 0: not used.
 int TurnLog(Turn turn) {
@@ -23,7 +28,7 @@ int TurnLog(Turn turn) {
     if (turn.raw() >> bit & 1) exponent = bit;
   }
   const int64_t mantissa = turn.raw() << (Turn::kWidth - 1 - exponent);
-  const int top = static_cast<int>(mantissa >> (Turn::kWidth - 1 - Log::kFraction)) - kOneLog;
+  const int top = static_cast<int>(mantissa >> (Turn::kWidth - 1 - Log::kFraction)) % kOneLog;
   return (exponent - Turn::kFraction) * kOneLog + top + 4;
 }
 
@@ -43,12 +48,13 @@ int HighlightLog(const LightRange& range, const ChoiceLimit& limit, Lighting lig
   return static_cast<int>(std::min<int64_t>(limit.shininess.raw() * t >> kDrop, 1023));
 }
 
-// An entry by the whole part of the highlight's logarithm; from 2 on the half of the fraction comes
-// off, for the errors fall by more than that.
+// An entry by the whole part of the highlight's logarithm. From 4 on 3/4 of the fraction come off:
+// the errors fall by more than that.
 int At(const Table& table, int highlight) {
   const int whole = std::min(highlight >> Log::kFraction, 15);
-  const int fraction = highlight & (kOneLog - 1);
-  return table[static_cast<size_t>(whole)] - (whole >= 2 && whole < 15 ? fraction >> 1 : 0);
+  const int fraction = highlight % kOneLog;
+  const bool falls = whole >= 4 && whole < 15;
+  return table[static_cast<size_t>(whole)] - (falls ? fraction - (fraction >> 2) : 0);
 }
 
 // What the bounds are made of, in 2^-5.
@@ -86,34 +92,37 @@ std::array<MethodChoice::Bound, MethodChoice::kBounds> MethodChoice::BoundsOf(
     const LightRange& range, const ChoiceLimit& limit, Lighting lighting) {
   const Terms t = TermsOf(range, limit, lighting);
   const bool blinn = lighting == Lighting::kBlinn;
-  // Logarithms of l, l^2, l^3 and of sqrt(n) l and its powers.
-  const int l1 = (t.turn + 1) >> 1, l2 = t.turn, l3 = (3 * t.turn + 1) >> 1;
-  const int w2 = t.turn + t.shininess, w1 = (w2 + 1) >> 1, w3 = (3 * w2 + 1) >> 1;
-  const int few = std::max(0, (2 * kOneLog - t.shininess + 1) >> 1);
-  const int root = (t.shininess + 1) >> 1;
   const int q = t.highlight;
+  // Logarithms of l, l^2, l^3; of w = sqrt(n) l, w^2, w^3; of sqrt(n) l^3. From n = 4 down the
+  // slope of a highlight falls less than sqrt(n).
+  const int l1 = HalfUp(t.turn), l2 = t.turn, l3 = HalfUp(3 * t.turn);
+  const int few = std::max(0, HalfUp(2 * kOneLog - t.shininess));
+  const int w2 = t.turn + t.shininess, w1 = HalfUp(w2), w3 = HalfUp(3 * w2);
+  const int root = HalfUp(t.shininess) + l3 + few + (blinn ? 0 : kReflected);
+  // The bend of N.H under the peak, n l^4.
+  const int wide = std::max(0, w1 + (blinn ? 0 : kReflected) - kWide);
+  const int bend = q < kOneLog ? wide : 0;
 
   const auto diffuse = [&](int log) { return t.lit ? t.diffuse + log : kZeroLog; };
   // A dropped highlight may be missing on one side of an edge.
   const auto specular = [&](int log) {
     return t.dark ? std::max(t.specular - q + kOneLog, kZeroLog) : t.specular + log;
   };
-  const bool kink = limit.shininess.raw() < 4 << Shininess::kFraction && range.specular_low.raw() <= 0;
-  const bool whole = t.straight && (t.dark ? limit.below_full_dark : limit.below_full && !kink && blinn);
-
-  const int bend = At(kCosineBend, q) + t.shininess + 2 * t.turn + (blinn ? 0 : kBendReflected);
-  const int cosine = At(kCosineSpecular, q) + root + l3 + (blinn ? 0 : kCosineReflected);
-  const int slerp = At(kSlerpSpecular, q) + root + l3 + (blinn ? 0 : kSlerpReflected);
-  return {{{Method::kFlat, t.straight && (blinn || t.dark), diffuse(l1 + kFlatDiffuse),
-            specular(w1 + At(kFlatSpecular, q))},
-           {Method::kGouraud, whole,
-            diffuse(t.terminator ? l1 + kGouraudKink : l2 + kGouraudDiffuse),
-            specular(w2 + At(kGouraudSpecular, q))},
-           {Method::kQuad, whole, diffuse(t.terminator ? l1 + kQuadKink : l3 + kQuadDiffuse),
-            specular(w3 + few + At(kQuadSpecular, q))},
-           {Method::kQuadCosine, t.straight, t.diffuse + l3 + kQuadCosineDiffuse,
-            specular(LogAdd(cosine, bend))},
-           {Method::kSlerpIntensity, t.straight, diffuse(l3 + kSlerpDiffuse), specular(slerp)}}};
+  const bool smooth =
+      limit.shininess.raw() >= kSmoothShininess || range.specular_low.raw() >= kSmoothCosine;
+  const bool whole =
+      t.straight && (t.dark ? limit.below_full_dark : limit.below_full && smooth && blinn);
+  return {
+      {{Method::kFlat, t.straight && (blinn || t.dark), diffuse(l1 + kFlatDiffuse),
+        specular(w1 + few + At(kFlatSpecular, q))},
+       {Method::kGouraud, whole, diffuse(t.terminator ? l1 + kGouraudKink : l2 + kGouraudDiffuse),
+        specular(w2 + At(kGouraudSpecular, q))},
+       {Method::kQuad, whole, diffuse(t.terminator ? l1 + kQuadKink : l3 + kQuadDiffuse),
+        specular(w3 + few + At(kQuadSpecular, q))},
+       {Method::kQuadCosine, t.straight, std::max(t.diffuse + l3 + kQuadCosineDiffuse, kZeroLog),
+        specular(root + bend + At(kCosineSpecular, q))},
+       {Method::kSlerpIntensity, t.straight, diffuse(l3 + kSlerpDiffuse),
+        specular(root + At(kSlerpSpecular, q))}}};
 }
 
 Choice MethodChoice::Of(const LightRange& range, const ChoiceLimit& limit, Lighting lighting) {

@@ -16,8 +16,8 @@ namespace shading {
 //
 //   2^Ld + 2^Ls <= 1,  Ld >= log2(Ed / T),  Ls >= log2(Es / T)
 //
-// of the diffuse and the specular light; bounds of every method in docs/units/choice. First of flat,
-// gouraud, quad, quad-cosine, slerp-intensity; phong-duff where none is good enough.
+// of the diffuse and the specular light; bounds of every method in docs/units/choice. First of
+// flat, gouraud, quad, quad-cosine, slerp-intensity; phong-duff where none is good enough.
 //
 // Logarithms S6.5, rounded up. Without a clock. The arithmetic of the chosen method comes on top.
 // Any input is good; normals count as unit.

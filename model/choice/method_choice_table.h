@@ -9,32 +9,30 @@ namespace shading::choice_table {
 using Table = std::array<int, 16>;
 
 // Diffuse errors over 255 kd l^k.
-inline constexpr int kFlatDiffuse = 40;
-inline constexpr int kGouraudDiffuse = -56;
-inline constexpr int kGouraudKink = -28;  // with a terminator, over l
-inline constexpr int kQuadDiffuse = -150;
-inline constexpr int kQuadKink = -70;
-inline constexpr int kQuadCosineDiffuse = -150;
-inline constexpr int kSlerpDiffuse = -140;
+inline constexpr int kFlatDiffuse = 19;          // k = 1
+inline constexpr int kGouraudDiffuse = -55;      // 2
+inline constexpr int kGouraudKink = -26;         // 1, with a terminator
+inline constexpr int kQuadDiffuse = -129;        // 3
+inline constexpr int kQuadKink = -61;            // 1, with a terminator
+inline constexpr int kQuadCosineDiffuse = -127;  // 3
+inline constexpr int kSlerpDiffuse = -131;       // 3
 
-// Highlight's errors over 255 ks (n l^2)^(k / 2); entry k for highlights of at most 2^-k.
-inline constexpr Table kFlatSpecular = {30, 28, 14, -4, -24, -48, -72, -98,
-                                        -125, -152, -180, -208, -236, -264, -292, -320};
-inline constexpr Table kGouraudSpecular = {-50, -50, -60, -70, -84, -104, -126, -150,
-                                           -176, -202, -230, -258, -286, -314, -342, -370};
-inline constexpr Table kQuadSpecular = {-180, -180, -184, -190, -200, -216, -236, -258,
-                                        -282, -308, -334, -360, -388, -416, -444, -472};
-// Over sqrt(n) l^3 and over n l^4.
-inline constexpr Table kCosineSpecular = {-170, -172, -182, -200, -220, -244, -268, -294,
-                                          -320, -346, -374, -400, -428, -456, -484, -512};
-inline constexpr Table kCosineBend = {-190, -210, -230, -260, -290, -320, -350, -380,
-                                      -410, -440, -470, -500, -530, -560, -590, -620};
-inline constexpr Table kSlerpSpecular = {-150, -152, -162, -180, -200, -224, -248, -274,
-                                         -300, -326, -354, -380, -408, -436, -464, -492};
+// Errors of the highlight, entry k for one of at most 2^-k: over 255 ks and the power 1, 2, 3 of
+// sqrt(n) l, and over 255 ks sqrt(n) l^3.
+inline constexpr Table kFlatSpecular = {-1,   -2,   -23,  -50,  -76,  -106, -136, -168,
+                                        -200, -231, -262, -294, -327, -363, -391, -427};
+inline constexpr Table kGouraudSpecular = {-55,  -80,  -80,  -94,  -119, -143, -169, -196,
+                                           -225, -254, -284, -314, -346, -376, -407, -439};
+inline constexpr Table kQuadSpecular = {-161, -163, -202, -202, -202, -232, -253, -276,
+                                        -300, -326, -352, -379, -407, -435, -464, -494};
+inline constexpr Table kCosineSpecular = {-146, -155, -175, -201, -228, -256, -286, -316,
+                                          -347, -378, -410, -441, -473, -507, -538, -573};
+inline constexpr Table kSlerpSpecular = {-151, -162, -182, -208, -235, -264, -295, -325,
+                                         -356, -387, -418, -452, -485, -518, -548, -581};
 // R.V turns twice as fast.
-inline constexpr int kCosineReflected = 64;
-inline constexpr int kBendReflected = 64;
-inline constexpr int kSlerpReflected = 32;
+inline constexpr int kReflected = 32;
+// quad-cosine bends under a peak where sqrt(n) l is more than this.
+inline constexpr int kWide = 20;
 
 // log2(1 + 2^-d), d in quarters, rounded up.
 inline constexpr std::array<int, 32> kSum = {32, 29, 25, 22, 19, 17, 14, 13, 11, 9, 8,
