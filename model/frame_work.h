@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct SkipCounts {
   int64_t total() const { return back_facing + degenerate + off_screen + empty; }
 };
 
+// What is shaded by one method.
+struct MethodShare {
+  int64_t triangles = 0, spans = 0, pixels = 0;
+};
+
 // One frame as it enters the shading unit: triangles in order, each followed by its spans.
 struct FrameWork {
   Method method = Method::kFlat;
@@ -31,6 +37,7 @@ struct FrameWork {
   std::vector<uint32_t> packet;  // of each triangle: its index in the triangle list
   std::vector<SpanCommand> spans;
   int64_t pixels = 0;
+  std::array<MethodShare, kMethodCount> share;  // by method
   int64_t split_spans = 0;  // spans in two because their normals are over 90 degrees apart
   int64_t over_limit = 0;   // packets on the screen that turn too far for the tolerance
   int64_t pieces = 0;       // triangles that are drawn for them

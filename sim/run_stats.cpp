@@ -4,84 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "sim/io/atomic_file.h"
 
 namespace shading::sim {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-double PerPixel(const RunStats& run) {
-  return run.counters.pixels > 0
-             ? static_cast<double>(run.cycles) / static_cast<double>(run.counters.pixels)
-             : 0;
-}
-
-double PixelsPerSecond(const RunStats& run) {
-  return run.sim_seconds > 0 ? static_cast<double>(run.counters.pixels) / run.sim_seconds : 0;
-}
-
-void PutError(const PictureError& error, const std::string& prefix, Json* json) {
-  (*json)[prefix + "max_error_lsb"] = error.max_lsb;
-  (*json)[prefix + "rms_error_lsb"] = error.rms_lsb;
-  // JSON has no infinity: null where the pictures agree.
-  (*json)[prefix + "psnr_db"] = std::isfinite(error.psnr_db) ? Json(error.psnr_db) : Json();
-}
-
-// Cycles: null where the engine does not measure them.
-void PutCycles(const RunStats& run, Json* json) {
-  const bool timed = run.engine != "ideal";
-  (*json)["cycles"] = timed ? Json(run.cycles) : Json();
-  (*json)["cycles_per_pixel"] = timed ? Json(PerPixel(run)) : Json();
-  (*json)["setup_cycles"] = timed ? Json(run.counters.setup) : Json();
-  (*json)["stall_cycles"] = timed ? Json(run.counters.stall) : Json();
-}
-
-void PutComparison(const Comparison& comparison, Json* json) {
-  (*json)["pixels_compared"] = comparison.pixels_compared;
-  (*json)["pixels_expected"] = comparison.pixels_expected;
-  (*json)["pixel_mismatches"] = comparison.pixel_mismatches;
-  (*json)["spans_compared"] = comparison.spans_compared;
-  (*json)["spans_expected"] = comparison.spans_expected;
-  (*json)["cycle_mismatches"] = comparison.cycle_mismatches;
-  (*json)["bad_frames"] = comparison.bad_frames;
-}
-
-Json ToJson(const RunStats& run) {
-  Json json;
-  json["scene"] = run.scene;
-  json["method"] = run.method;
-  json["engine"] = run.engine;
-  json["width"] = run.width;
-  json["height"] = run.height;
-  json["triangles"] = run.triangles;
-  json["spans"] = run.spans;
-  json["pixels"] = run.counters.pixels;
-  PutCycles(run, &json);
-  json["skipped"] = {{"back_facing", run.skipped.back_facing},
-                     {"degenerate", run.skipped.degenerate},
-                     {"off_screen", run.skipped.off_screen},
-                     {"empty", run.skipped.empty}};
-  json["unlit"] = run.counters.unlit;
-  json["no_highlight"] = run.counters.no_highlight;
-  json["normalised"] = run.counters.normalised;
-  json["normalisations_skipped"] = run.counters.skipped;
-  json["samples_taken"] = run.counters.samples_taken;
-  json["samples_excluded"] = run.counters.samples_excluded;
-  json["samples_saved"] = run.counters.samples_saved;
-  json["split_spans"] = run.split_spans;
-  json["over_limit_triangles"] = run.over_limit;
-  json["pieces"] = run.pieces;
-  json["lanes"] = run.lanes;
-  if (run.comparison) PutComparison(*run.comparison, &json);
-  if (run.phong_error) PutError(*run.phong_error, "", &json);
-  if (run.closed_form_error) PutError(*run.closed_form_error, "closed_form_", &json);
-  json["sim_seconds"] = run.sim_seconds;
-  json["pixels_per_second"] = PixelsPerSecond(run);
-  return json;
+std::string ChoiceText(const RunStats& run) {
+  std::string text;
+  for (const Method method : kAllMethods) {
+    const MethodShare& share = run.share[static_cast<size_t>(method)];
+    if (share.triangles == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "\n  pixels by " : ", ", Name(method),
+                        share.pixels);
+  }
+  const Counters& c = run.counters;
+  return text + fmt::format("\n  {} triangles only ambient; spans: {} of one colour, {} without "
+                            "highlight, {} without normalisation; {} black channels",
+                            c.ambient, c.constant, c.dark, c.unnormalised, c.black);
 }
 
 std::string WorkText(const RunStats& run) {
@@ -97,6 +35,7 @@ std::string WorkText(const RunStats& run) {
     text += fmt::format("\n  {} pixels unlit, {} without highlight, {} spans split",
                         run.counters.unlit, run.counters.no_highlight, run.split_spans);
   }
+  if (run.method == Name(Method::kAuto)) text += ChoiceText(run);
   if (run.counters.normalised + run.counters.skipped > 0) {
     text += fmt::format("\n  {} normalisations, {} skipped", run.counters.normalised,
                         run.counters.skipped);
@@ -132,6 +71,15 @@ void AddSkips(const SkipCounts& other, SkipCounts* sum) {
   sum->empty += other.empty;
 }
 
+void AddShares(const std::array<MethodShare, kMethodCount>& other,
+               std::array<MethodShare, kMethodCount>* sum) {
+  for (size_t m = 0; m < other.size(); ++m) {
+    (*sum)[m].triangles += other[m].triangles;
+    (*sum)[m].spans += other[m].spans;
+    (*sum)[m].pixels += other[m].pixels;
+  }
+}
+
 void KeepWorst(const std::optional<PictureError>& other, std::optional<PictureError>* error) {
   if (!other) return;
   if (!*error || other->rms_lsb > (*error)->rms_lsb) {
@@ -161,6 +109,16 @@ void Comparison::Add(const Comparison& other) {
   bad_frames += other.bad_frames;
 }
 
+double RunStats::PixelCycles() const {
+  return counters.pixels > 0
+             ? static_cast<double>(cycles) / static_cast<double>(counters.pixels)
+             : 0;
+}
+
+double RunStats::PixelsPerSecond() const {
+  return sim_seconds > 0 ? static_cast<double>(counters.pixels) / sim_seconds : 0;
+}
+
 void RunStats::AddWork(const FrameWork& work, int64_t packets) {
   triangles += packets;
   spans += static_cast<int64_t>(work.spans.size());
@@ -168,6 +126,7 @@ void RunStats::AddWork(const FrameWork& work, int64_t packets) {
   over_limit += work.over_limit;
   pieces += work.pieces;
   AddSkips(work.skipped, &skipped);
+  AddShares(work.share, &share);
 }
 
 void RunStats::Add(const RunStats& other) {
@@ -181,6 +140,11 @@ void RunStats::Add(const RunStats& other) {
   counters.no_highlight += other.counters.no_highlight;
   counters.normalised += other.counters.normalised;
   counters.skipped += other.counters.skipped;
+  counters.ambient += other.counters.ambient;
+  counters.constant += other.counters.constant;
+  counters.dark += other.counters.dark;
+  counters.unnormalised += other.counters.unnormalised;
+  counters.black += other.counters.black;
   counters.samples_taken += other.counters.samples_taken;
   counters.samples_excluded += other.counters.samples_excluded;
   counters.samples_saved += other.counters.samples_saved;
@@ -188,6 +152,7 @@ void RunStats::Add(const RunStats& other) {
   over_limit += other.over_limit;
   pieces += other.pieces;
   AddSkips(other.skipped, &skipped);
+  AddShares(other.share, &share);
   sim_seconds += other.sim_seconds;
   if (other.comparison) {
     if (!comparison) comparison.emplace();
@@ -197,32 +162,12 @@ void RunStats::Add(const RunStats& other) {
   KeepWorst(other.closed_form_error, &closed_form_error);
 }
 
-void WriteJson(const std::string& path, const std::vector<RunStats>& runs) {
-  RunStats total;
-  total.scene = runs.size() == 1 ? runs[0].scene : "all";
-  total.engine = runs[0].engine;
-  total.method = runs[0].method;
-  total.width = runs[0].width;
-  total.height = runs[0].height;
-  total.lanes = runs[0].lanes;
-  for (const RunStats& run : runs) {
-    if (run.method != total.method) total.method = "all";
-    if (run.width != total.width || run.height != total.height) total.width = total.height = 0;
-    total.Add(run);
-  }
-  Json json = ToJson(total);
-  for (const RunStats& run : runs) json["runs"].push_back(ToJson(run));
-  AtomicFile file(path);
-  file.stream() << json.dump(2) << '\n';
-  file.Commit();
-}
-
 std::string Summary(const RunStats& run) {
   std::string text =
       fmt::format("{} {} {}: {} triangles, {} spans, {} pixels", run.scene, run.method, run.engine,
                   run.triangles, run.spans, run.counters.pixels);
   if (run.engine != "ideal") {
-    text += fmt::format(", {} cycles ({:.3f} per pixel)", run.cycles, PerPixel(run));
+    text += fmt::format(", {} cycles ({:.3f} per pixel)", run.cycles, run.PixelCycles());
   }
   text += WorkText(run);
   if (run.comparison) text += ComparisonText(*run.comparison);
@@ -230,7 +175,7 @@ std::string Summary(const RunStats& run) {
   text += ErrorText("its closed form", run.closed_form_error);
   if (run.sim_seconds > 0) {
     text +=
-        fmt::format("\n  {:.2f} s, {:.1f} M pixels/s", run.sim_seconds, PixelsPerSecond(run) / 1e6);
+        fmt::format("\n  {:.2f} s, {:.1f} M pixels/s", run.sim_seconds, run.PixelsPerSecond() / 1e6);
   }
   return text;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -38,11 +39,14 @@ struct RunStats {
   int64_t pieces = 0;       // what they were split into
   int lanes = 1;            // pixels per cycle
   Counters counters;
+  std::array<MethodShare, kMethodCount> share;  // auto: what each method shaded
   SkipCounts skipped;
   double sim_seconds = 0;
   std::optional<Comparison> comparison;
   std::optional<PictureError> phong_error, closed_form_error;
 
+  double PixelCycles() const;      // cycles per pixel
+  double PixelsPerSecond() const;  // of the simulation
   void AddWork(const FrameWork& work, int64_t packets);
   void Add(const RunStats& other);  // sums; errors become the worst, scene and method stay
 };

@@ -129,6 +129,10 @@ bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geomet
   work->triangles.push_back(triangle);
   work->packet.push_back(index);
   work->pixels += pixels;
+  MethodShare& share = work->share[static_cast<size_t>(choice.method)];
+  ++share.triangles;
+  share.spans += static_cast<int64_t>(work->spans.size() - first);
+  share.pixels += pixels;
   return true;
 }
 

@@ -225,6 +225,11 @@ void ShadingDevice::SetCounters(const CoreResult& result, uint64_t written) {
   set(OffsetOf("SAMPLES_TAKEN"), result.counters.samples_taken);
   set(OffsetOf("SAMPLES_EXCLUDED"), result.counters.samples_excluded);
   set(OffsetOf("SAMPLES_SAVED"), result.counters.samples_saved);
+  set(OffsetOf("SKIPPED_AMBIENT"), result.counters.ambient);
+  set(OffsetOf("SPANS_CONSTANT"), result.counters.constant);
+  set(OffsetOf("SPANS_DARK"), result.counters.dark);
+  set(OffsetOf("SPANS_UNNORMALISED"), result.counters.unnormalised);
+  set(OffsetOf("CHANNELS_BLACK"), result.counters.black);
 }
 
 // Also wakes a writer that nobody makes room for any more.
