@@ -14,7 +14,7 @@ std::string CellKey::Text() const {
 }
 
 Operations Cell::OperationsPerPixel() const {
-  return (1.0 / static_cast<double>(work.pixels)) * TotalOf(CostOf(key.method), work);
+  return (1.0 / static_cast<double>(work.pixels)) * TotalOf(key.method, work);
 }
 
 double SpanCurve::CyclesOf(int length) const {
@@ -29,7 +29,9 @@ double SpanCurve::CyclesOf(int length) const {
   return cycles;
 }
 
-bool UsesTolerance(Method method) { return method == Method::kQuadSegment || IsAdaptive(method); }
+bool UsesTolerance(Method method) {
+  return method == Method::kQuadSegment || IsAdaptive(method) || method == Method::kAuto;
+}
 
 Method MethodOf(const std::string& name) {
   for (const Method method : kAllMethods) {

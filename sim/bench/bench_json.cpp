@@ -84,7 +84,7 @@ Json FrontJson(const Results& results) {
 }  // namespace
 
 Json ToJson(const Cell& cell) {
-  return {{"scene", cell.key.scene},
+  Json json = {{"scene", cell.key.scene},
           {"method", Name(cell.key.method)},
           {"shininess", cell.key.shininess},
           {"tolerance", cell.key.tolerance},
@@ -108,6 +108,12 @@ Json ToJson(const Cell& cell) {
           {"front_end_seconds", cell.front_end_seconds},
           {"against_phong", ErrorJson(cell.phong)},
           {"against_closed_form", ErrorJson(cell.closed_form)}};
+  for (const Method method : kAllMethods) {
+    const MethodShare& share = cell.work.share[static_cast<size_t>(method)];
+    if (share.triangles == 0) continue;
+    json["chosen"][std::string(Name(method))] = {share.triangles, share.spans, share.pixels};
+  }
+  return json;
 }
 
 Cell CellFromJson(const Json& json) {
@@ -116,7 +122,13 @@ Cell CellFromJson(const Json& json) {
               json.at("tolerance"), json.at("lanes")};
   cell.packets = json.at("packets");
   cell.work = {json.at("triangles"),  json.at("spans"),          json.at("pixels"),
-               json.at("highlights"), json.at("normalisations"), json.at("samples")};
+               json.at("highlights"), json.at("normalisations"), json.at("samples"), {}};
+  if (json.contains("chosen")) {
+    for (const auto& [name, share] : json.at("chosen").items()) {
+      cell.work.share[static_cast<size_t>(MethodOf(name))] = {share.at(0), share.at(1),
+                                                              share.at(2)};
+    }
+  }
   cell.cycles = json.at("cycles");
   cell.busy = json.at("busy_cycles");
   cell.fill = json.at("fill_cycles");

@@ -133,6 +133,14 @@ MethodCost SurfaceCost(Method method) {
   return cost;
 }
 
+// method_choice, and the cosines at the vertices that it goes by.
+MethodCost ChoiceCost() {
+  MethodCost cost;
+  cost.triangle = 3 * kTwoDots + Operations{9 + 1, 15 + 40, 8, 5};
+  cost.reason = "cosines and chords of the vertices, one product and some sums of logarithms";
+  return cost;
+}
+
 MethodCost NormalCost(Method method) {
   switch (method) {
     case Method::kPhong:
@@ -177,6 +185,7 @@ MethodCost NormalCost(Method method) {
 }  // namespace
 
 MethodCost CostOf(Method method) {
+  if (method == Method::kAuto) return ChoiceCost();
   return method <= Method::kQuadCosine ? SurfaceCost(method) : NormalCost(method);
 }
 
@@ -187,6 +196,22 @@ Operations TotalOf(const MethodCost& cost, const Workload& work) {
   return times(work.triangles) * cost.triangle + times(work.spans) * cost.span +
          times(work.pixels) * cost.pixel + times(work.highlights) * cost.highlight +
          times(work.normalisations) * cost.normalisation + times(work.samples) * cost.sample;
+}
+
+Operations TotalOf(Method method, const Workload& work) {
+  if (method != Method::kAuto) return TotalOf(CostOf(method), work);
+  Workload part;
+  part.triangles = work.triangles;
+  Operations total = TotalOf(CostOf(method), part);
+  part.triangles = 0;
+  part.highlights = work.highlights;
+  total = total + TotalOf(CostOf(Method::kPhong), part);  // a highlight costs all methods the same
+  for (const Method chosen : kAllMethods) {
+    const MethodShare& share = work.share[static_cast<size_t>(chosen)];
+    part = {share.triangles, share.spans, share.pixels, 0, 0, 0, {}};
+    total = total + TotalOf(CostOf(chosen), part);
+  }
+  return total;
 }
 
 }  // namespace shading::sim

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
+#include "model/frame_work.h"
 #include "model/shading_types.h"
 
 namespace shading::sim {
@@ -53,7 +55,10 @@ Operations VectorLight();
 // How often each part was done in one frame.
 struct Workload {
   int64_t triangles = 0, spans = 0, pixels = 0, highlights = 0, normalisations = 0, samples = 0;
+  std::array<MethodShare, kMethodCount> share = {};  // auto: by the method chosen
 };
 Operations TotalOf(const MethodCost& cost, const Workload& work);
+// Of auto: the choice of each triangle, and what the chosen methods do.
+Operations TotalOf(Method method, const Workload& work);
 
 }  // namespace shading::sim

@@ -118,6 +118,7 @@ Cell MeasureCell(const TriangleList& list, const CellKey& key, int repeats, Fram
   cell.work.triangles = static_cast<int64_t>(work.triangles.size());
   cell.work.spans = static_cast<int64_t>(work.spans.size());
   cell.work.pixels = work.pixels;
+  if (key.method == Method::kAuto) cell.work.share = work.share;
   if (work.pixels == 0) {
     throw std::runtime_error(
         fmt::format("{}: covers no pixel; show it larger or leave it out", key.scene));

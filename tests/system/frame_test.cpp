@@ -23,7 +23,12 @@ const char* const kCounters[] = {"PIXELS",
                                  "SKIPPED_OFF_SCREEN",
                                  "SKIPPED_EMPTY",
                                  "NORMALISED",
-                                 "NORMALISED_SKIPPED"};
+                                 "NORMALISED_SKIPPED",
+                                 "SKIPPED_AMBIENT",
+                                 "SPANS_CONSTANT",
+                                 "SPANS_DARK",
+                                 "SPANS_UNNORMALISED",
+                                 "CHANNELS_BLACK"};
 using CounterValues = std::map<std::string, uint64_t>;
 
 // What a frame leaves behind.
@@ -114,7 +119,12 @@ Rendered OnModel(const Case& test) {
            {"SKIPPED_OFF_SCREEN", u(work.skipped.off_screen)},
            {"SKIPPED_EMPTY", u(work.skipped.empty)},
            {"NORMALISED", u(unit.counters().normalised)},
-           {"NORMALISED_SKIPPED", u(unit.counters().skipped)}}};
+           {"NORMALISED_SKIPPED", u(unit.counters().skipped)},
+           {"SKIPPED_AMBIENT", u(unit.counters().ambient)},
+           {"SPANS_CONSTANT", u(unit.counters().constant)},
+           {"SPANS_DARK", u(unit.counters().dark)},
+           {"SPANS_UNNORMALISED", u(unit.counters().unnormalised)},
+           {"CHANNELS_BLACK", u(unit.counters().black)}}};
 }
 
 void ExpectSame(const Case& test, const sc_core::sc_time& quantum) {

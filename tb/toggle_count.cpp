@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/toggle_count.h"
+
+#include <gtkwave/fstapi.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace shading::tb {
+namespace {
+
+struct CloseReader {
+  void operator()(void* reader) const { fstReaderClose(reader); }
+};
+using Reader = std::unique_ptr<void, CloseReader>;
+
+// A signal of the waveform; those that are the same net share one.
+struct Signal {
+  UnitToggles* unit = nullptr;  // null: not counted
+  std::string value;            // the latest, a character a bit
+};
+using Signals = std::vector<Signal>;
+
+bool EndsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+bool IsCounted(std::string_view name) {
+  const std::string_view plain = name.substr(0, name.find_first_of(" ["));
+  return !EndsWith(plain, "_i") && !EndsWith(plain, "_ni");
+}
+
+Signals ReadSignals(void* reader, Toggles* toggles) {
+  Signals signals;
+  std::vector<std::string> units = {"top"};
+  while (const fstHier* item = fstReaderIterateHier(reader)) {
+    if (item->htyp == FST_HT_SCOPE) {
+      const std::string_view name(item->u.scope.name, item->u.scope.name_length);
+      units.push_back(name.substr(0, 2) == "u_" ? std::string(name.substr(2)) : units.back());
+    } else if (item->htyp == FST_HT_UPSCOPE) {
+      units.pop_back();
+    } else if (item->htyp == FST_HT_VAR) {
+      const size_t handle = item->u.var.handle;
+      if (signals.size() <= handle) signals.resize(handle + 1);
+      const std::string_view name(item->u.var.name, item->u.var.name_length);
+      if (signals[handle].unit != nullptr || !IsCounted(name)) continue;
+      signals[handle].unit = &(*toggles)[units.back()];
+      signals[handle].unit->bits += item->u.var.length;
+    }
+  }
+  return signals;
+}
+
+void Count(std::string_view value, Signal* signal) {
+  if (signal->unit == nullptr) return;
+  if (signal->value.size() == value.size()) {
+    for (size_t i = 0; i < value.size(); ++i) signal->unit->toggles += signal->value[i] != value[i];
+  }
+  signal->value = value;
+}
+
+void OnChange(void* signals, uint64_t, fstHandle handle, const unsigned char* value) {
+  Count(reinterpret_cast<const char*>(value), &(*static_cast<Signals*>(signals))[handle]);
+}
+void OnLongChange(void* signals, uint64_t, fstHandle handle, const unsigned char* value,
+                  uint32_t length) {
+  Count({reinterpret_cast<const char*>(value), length}, &(*static_cast<Signals*>(signals))[handle]);
+}
+
+}  // namespace
+
+Toggles CountToggles(const std::string& fst) {
+  const Reader reader(fstReaderOpen(fst.c_str()));
+  if (!reader) throw std::runtime_error(fst + ": not a waveform that can be read");
+  Toggles toggles;
+  Signals signals = ReadSignals(reader.get(), &toggles);
+  fstReaderSetFacProcessMaskAll(reader.get());
+  fstReaderIterBlocks2(reader.get(), OnChange, OnLongChange, &signals, nullptr);
+  return toggles;
+}
+
+}  // namespace shading::tb

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tb/stimulus/random_triangles.h"
+#include "tests/toggles/toggle_run.h"
+
+namespace shading::test {
+namespace {
+
+constexpr Tolerance kOneCode = Tolerance::FromRaw(int64_t{1} << Tolerance::kFraction);
+
+// Units that a method of intensities has no use for: the light, the normals, the cosines' surfaces.
+const std::set<std::string> kLight = {
+    "normal_setup",      "n_dot_l_curve", "n_dot_h_or_v_curve", "linear_recurrence",
+    "length_recurrence", "slerp_recurrence", "phong_direct",    "duff_normalizer",
+    "n_dot_l",           "n_dot_h_or_v",  "blinn_specular",     "specular_cosine",
+    "rgb_combine",       "cosine_delay",  "dots",               "chord",
+    "angle",             "difference",    "adaptive_normalizer", "slerp_direct"};
+
+int64_t Sum(const tb::Toggles& toggles, const std::set<std::string>& units) {
+  int64_t sum = 0;
+  for (const auto& [unit, count] : toggles) sum += units.count(unit) > 0 ? count.toggles : 0;
+  return sum;
+}
+
+TEST(Toggles, UnitsOfTheLightHoldWhereIntensitiesAreInterpolated) {
+  const TriangleList list = tb::RandomTriangles(3, 60);
+  for (const Method method : {Method::kFlat, Method::kGouraud, Method::kQuad}) {
+    const tb::Toggles toggles = TogglesOf(list, method, kOneCode);
+    EXPECT_GT(toggles.at("pixel_walker").toggles, 0) << Name(method);
+    for (const std::string& unit : kLight) {
+      ASSERT_EQ(toggles.count(unit), 1U) << unit << ": no such instance";
+      EXPECT_EQ(toggles.at(unit).toggles, 0) << unit << " for " << Name(method);
+    }
+  }
+}
+
+TEST(Toggles, OnlyTheChosenSurfaceMoves) {
+  const TriangleList list = tb::RandomTriangles(4, 60);
+  const tb::Toggles gouraud = TogglesOf(list, Method::kGouraud, kOneCode);
+  EXPECT_GT(gouraud.at("gouraud_interpolator").toggles, 0);
+  for (const char* unit : {"flat_color", "quad_surface", "quad_step", "quad_midpoint",
+                           "quad_three_term", "quad_third_difference", "quad_difference"}) {
+    EXPECT_EQ(gouraud.at(unit).toggles, 0) << unit;
+  }
+}
+
+TEST(Toggles, LightMovesWhereItIsWanted) {
+  const TriangleList list = tb::RandomTriangles(5, 60);
+  EXPECT_GT(Sum(TogglesOf(list, Method::kPhongDuff, kOneCode), kLight), 0);
+  EXPECT_GT(Sum(TogglesOf(list, Method::kAuto, kOneCode), kLight), 0);
+}
+
+}  // namespace
+}  // namespace shading::test
