@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "model/shading_types.h"
 #include "model/triangle_packet.h"
 #include "tb/toggle_count.h"
 
