@@ -37,6 +37,6 @@ inline constexpr int kWide = 20;
 // log2(1 + 2^-d), d in quarters, rounded up.
 inline constexpr std::array<int, 32> kSum = {32, 29, 25, 22, 19, 17, 14, 13, 11, 9, 8,
                                              7,  6,  5,  4,  4,  3,  3,  2,  2,  2, 2,
-                                             1,  1,  1,  1,  1,  1,  1,  1,  1,  1};
+                                             2,  1,  1,  1,  1,  1,  1,  1,  1,  1};
 
 }  // namespace shading::choice_table
