@@ -147,14 +147,17 @@ double LargestDegrees(const Test& test, int steps) {
 }  // namespace
 
 double WorstConstant(const ChoiceConstant& constant, const ChoiceEffort& effort) {
+  const bool highlight = constant.light == ChoiceConstant::Light::kHighlight;
   double worst = kOutside;
   for (const bool edge : {false, true}) {
     ChoiceRegion region;
     region.edge = edge;
-    region.least_chord = 0.02;
+    region.least_chord = !highlight                                   ? 0.02
+                         : constant.method == Method::kSlerpIntensity ? 0.006
+                                                                      : 0.0008;
     region.highlight = constant.highlight;
     region.reflected = constant.lighting == Lighting::kPhong;
-    if (constant.light != ChoiceConstant::Light::kHighlight) region.most_shininess = 1 + 1e-9;
+    if (!highlight) region.most_shininess = 1 + 1e-9;
     const auto logarithm = [&](const ChoicePoint& point) { return Logarithm(constant, point); };
     ChoiceSearch search(static_cast<unsigned>(2 * constant.highlight + edge));
     worst = std::max(worst, search.Run(region, logarithm, effort.restarts, effort.steps).value);

@@ -139,7 +139,8 @@ TEST(MethodChoice, ModelWithinErrorBound) {
       RecordProperty(std::string(Name(method)), std::to_string(share));
       std::printf("%s %-16s %.3f of the tolerance\n",
                   lighting == Lighting::kBlinn ? "Blinn" : "Phong", Name(method).data(), share);
-      EXPECT_GT(share, method == Method::kPhongDuff ? -1 : 0.5) << Name(method);
+      // phong-duff takes only what dropped highlights take.
+      if (method != Method::kPhongDuff) { EXPECT_GT(share, 0.5) << Name(method); }
     }
   }
 }
