@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Largest errors of a highlight of at most 2^-k, by method, as found by search with a margin: a part
-// of method_choice.
+// Largest errors of a highlight of at most 2^-k, by method, as found by search with a margin: a
+// part of method_choice.
 //
 // Timing    Combinational.
-// Formats   highlight U5.5, -log2 of its maximum; logarithms S8.5. From k = 4 on 3/4 of the fraction
-//           of highlight come off, for the errors fall by more than that.
+// Formats   highlight U5.5, -log2 of its maximum; logarithms S8.5. From k = 4 on 3/4 of the
+//           fraction of highlight come off, for the errors fall by more than that.
 // Model     model/choice/method_choice_table.h      Doc  docs/units/choice/method_choice.md
 module method_choice_table (
   input  logic        [ 9:0] highlight_i,

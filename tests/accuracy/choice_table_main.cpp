@@ -92,10 +92,10 @@ void PrintShares(int materials) {
 int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
   using namespace shading::accuracy;
-  const ChoiceEffort effort = quick ? ChoiceEffort{40, 300} : ChoiceEffort{800, 900};
+  const ChoiceEffort effort = quick ? ChoiceEffort{40, 300} : ChoiceEffort{250, 700};
   PrintDiffuse(effort);
   PrintSpecular(shading::Lighting::kBlinn, effort);
   PrintSpecular(shading::Lighting::kPhong, effort);
-  PrintDegrees({quick ? 10 : 60, 400});
-  PrintShares(quick ? 20 : 1000);
+  PrintDegrees({quick ? 10 : 40, 400});
+  PrintShares(quick ? 20 : 300);
 }
