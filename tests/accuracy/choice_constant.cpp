@@ -170,7 +170,8 @@ double AllowedDegrees(Method method, int shininess) {
   return LargestDegrees(
       [&](double chord) {
         LightRange range;
-        range.turn = Turn::Round(chord * chord);
+        range.turn = Turn::Saturate(
+            static_cast<int64_t>(std::ceil(std::ldexp(chord * chord, Turn::kFraction))));
         range.n_dot_l_high = range.specular_low = range.specular_high = RangeCosine::Round(1);
         for (const auto& bound : MethodChoice::BoundsOf(range, limit, Lighting::kBlinn)) {
           if (bound.method == method) {

@@ -26,7 +26,7 @@ double WorstConstant(const ChoiceConstant& constant, const ChoiceEffort& effort)
 
 // Largest angles between normals, in degrees, for full-scale light of one kind and 1 code: that
 // MethodChoice allows wherever the highlight is, and where the worst error that a search finds, or
-// twice that on an edge, is 1 code. n = 0 stands for diffuse light.
+// twice that on an edge, is 1 code. n = 0 stands for diffuse light. 0.0006 stands for none.
 double AllowedDegrees(Method method, int shininess);
 double SearchedDegrees(Method method, int shininess, const ChoiceEffort& effort);
 
