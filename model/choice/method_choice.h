@@ -49,7 +49,7 @@ class MethodChoice {
   static constexpr size_t kBounds = 5;
   static std::array<Bound, kBounds> BoundsOf(const LightRange& range, const ChoiceLimit& limit,
                                              Lighting lighting);
-  // log2(2^a + 2^b) in 2^-5, at most 2^-8 of the sum too low.
+  // log2(2^a + 2^b) in 2^-5, at most 1 / 250 of the sum too low.
   static int LogAdd(int a, int b);
 };
 

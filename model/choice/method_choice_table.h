@@ -19,16 +19,16 @@ inline constexpr int kSlerpDiffuse = -131;       // 3
 
 // Errors of the highlight, entry k for one of at most 2^-k: over 255 ks and the power 1, 2, 3 of
 // sqrt(n) l, and over 255 ks sqrt(n) l^3.
-inline constexpr Table kFlatSpecular = {-1,   -2,   -23,  -50,  -76,  -106, -136, -168,
-                                        -200, -231, -262, -294, -327, -363, -391, -427};
-inline constexpr Table kGouraudSpecular = {-55,  -80,  -80,  -94,  -119, -143, -169, -196,
-                                           -225, -254, -284, -314, -346, -376, -407, -439};
-inline constexpr Table kQuadSpecular = {-161, -163, -202, -202, -202, -232, -253, -276,
-                                        -300, -326, -352, -379, -407, -435, -464, -494};
-inline constexpr Table kCosineSpecular = {-146, -155, -175, -201, -228, -256, -286, -316,
-                                          -347, -378, -410, -441, -473, -507, -538, -573};
-inline constexpr Table kSlerpSpecular = {-151, -162, -182, -208, -235, -264, -295, -325,
-                                         -356, -387, -418, -452, -485, -518, -548, -581};
+inline constexpr Table kFlatSpecular = {-1,   -2,   -21,  -42,  -68,  -95,  -124, -153,
+                                        -182, -213, -243, -274, -305, -337, -369, -400};
+inline constexpr Table kGouraudSpecular = {-55,  -79,  -79,  -91,  -111, -134, -158, -183,
+                                           -209, -235, -263, -291, -320, -350, -379, -409};
+inline constexpr Table kQuadSpecular = {-161, -163, -199, -199, -199, -226, -244, -265,
+                                        -288, -311, -336, -361, -387, -414, -441, -470};
+inline constexpr Table kCosineSpecular = {-146, -155, -174, -196, -222, -249, -278, -307,
+                                          -337, -366, -397, -428, -459, -491, -522, -556};
+inline constexpr Table kSlerpSpecular = {-151, -162, -182, -203, -228, -257, -285, -317,
+                                         -346, -376, -410, -439, -472, -503, -535, -565};
 // R.V turns twice as fast.
 inline constexpr int kReflected = 32;
 // quad-cosine bends under a peak where sqrt(n) l is more than this.
@@ -37,6 +37,6 @@ inline constexpr int kWide = 20;
 // log2(1 + 2^-d), d in quarters, rounded up.
 inline constexpr std::array<int, 32> kSum = {32, 29, 25, 22, 19, 17, 14, 13, 11, 9, 8,
                                              7,  6,  5,  4,  4,  3,  3,  2,  2,  2, 2,
-                                             1,  1,  1,  1,  1,  1,  1,  1,  1,  1};
+                                             2,  1,  1,  1,  1,  1,  1,  1,  1,  1};
 
 }  // namespace shading::choice_table

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The cheapest method of a triangle whose error against exact Blinn-Phong of the linear normal is at
-// most the tolerance T on every pixel, and at most T / 2 on its edges:
+// The cheapest method of a triangle whose error against exact Blinn-Phong of the linear normal is
+// at most the tolerance T on every pixel, and at most T / 2 on its edges:
 //
 //   2^Ld + 2^Ls <= 1,  Ld >= log2(Ed / T),  Ls >= log2(Es / T)
 //
@@ -106,6 +106,7 @@ module method_choice
   endfunction
 
   sum_t turn, diffuse, specular, shininess, highlight;
+  logic [9:0] faint;
   logic none, straight, blinn, black, dark, lit, terminator, smooth, whole;
 
   assign turn       = turn_log(range_i.turn);
@@ -116,8 +117,9 @@ module method_choice
   assign shininess  = sum_t'(limit_i.shininess_log);
   assign black      = sum_t'(limit_i.specular) == ZeroLog || range_i.specular_high <= 0;
   assign specular   = black ? ZeroLog : sum_t'(limit_i.specular);
-  assign highlight  = straight ? sum_t'({4'd0, highlight_log(
-                            range_i.turn, range_i.specular_high, limit_i.shininess, lighting_i)}) : '0;
+  assign faint      = highlight_log(range_i.turn, range_i.specular_high, limit_i.shininess,
+                                    lighting_i);
+  assign highlight  = straight ? sum_t'({4'd0, faint}) : '0;
   assign dark       = black || specular - highlight <= DarkLog;
   assign lit        = range_i.n_dot_l_high > 0 && diffuse != ZeroLog;
   assign terminator = lit && range_i.n_dot_l_low < 0;
@@ -126,8 +128,8 @@ module method_choice
   assign whole      = straight &&
                       (dark ? limit_i.below_full_dark : limit_i.below_full && smooth && blinn);
 
-  // Logarithms of l, l^2, l^3; of w = sqrt(n) l, w^2, w^3; of sqrt(n) l^3. From n = 4 down the slope
-  // of a highlight falls less than sqrt(n).
+  // Logarithms of l, l^2, l^3; of w = sqrt(n) l, w^2, w^3; of sqrt(n) l^3. From n = 4 down the
+  // slope of a highlight falls less than sqrt(n).
   sum_t l1, l3, few, w1, w2, w3, root, wide, bend, dropped;
   assign l1      = half_up(turn);
   assign l3      = half_up(turn + (turn <<< 1));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Largest errors of a highlight of at most 2^-k, by method, as found by search with a margin: a part
-// of method_choice.
+// Largest errors of a highlight of at most 2^-k, by method, as found by search with a margin: a
+// part of method_choice.
 //
 // Timing    Combinational.
-// Formats   highlight U5.5, -log2 of its maximum; logarithms S8.5. From k = 4 on 3/4 of the fraction
-//           of highlight come off, for the errors fall by more than that.
+// Formats   highlight U5.5, -log2 of its maximum; logarithms S8.5. From k = 4 on 3/4 of the
+//           fraction of highlight come off, for the errors fall by more than that.
 // Model     model/choice/method_choice_table.h      Doc  docs/units/choice/method_choice.md
 module method_choice_table (
   input  logic        [ 9:0] highlight_i,
@@ -18,20 +18,20 @@ module method_choice_table (
   typedef logic signed [13:0] sum_t;
 
   localparam sum_t Flat [16] = '{
-    -14'sd1, -14'sd2, -14'sd23, -14'sd50, -14'sd76, -14'sd106, -14'sd136, -14'sd168,
-    -14'sd200, -14'sd231, -14'sd262, -14'sd294, -14'sd327, -14'sd363, -14'sd391, -14'sd427};
+    -14'sd1, -14'sd2, -14'sd21, -14'sd42, -14'sd68, -14'sd95, -14'sd124, -14'sd153,
+    -14'sd182, -14'sd213, -14'sd243, -14'sd274, -14'sd305, -14'sd337, -14'sd369, -14'sd400};
   localparam sum_t Gouraud [16] = '{
-    -14'sd55, -14'sd80, -14'sd80, -14'sd94, -14'sd119, -14'sd143, -14'sd169, -14'sd196,
-    -14'sd225, -14'sd254, -14'sd284, -14'sd314, -14'sd346, -14'sd376, -14'sd407, -14'sd439};
+    -14'sd55, -14'sd79, -14'sd79, -14'sd91, -14'sd111, -14'sd134, -14'sd158, -14'sd183,
+    -14'sd209, -14'sd235, -14'sd263, -14'sd291, -14'sd320, -14'sd350, -14'sd379, -14'sd409};
   localparam sum_t Quad [16] = '{
-    -14'sd161, -14'sd163, -14'sd202, -14'sd202, -14'sd202, -14'sd232, -14'sd253, -14'sd276,
-    -14'sd300, -14'sd326, -14'sd352, -14'sd379, -14'sd407, -14'sd435, -14'sd464, -14'sd494};
+    -14'sd161, -14'sd163, -14'sd199, -14'sd199, -14'sd199, -14'sd226, -14'sd244, -14'sd265,
+    -14'sd288, -14'sd311, -14'sd336, -14'sd361, -14'sd387, -14'sd414, -14'sd441, -14'sd470};
   localparam sum_t Cosine [16] = '{
-    -14'sd146, -14'sd155, -14'sd175, -14'sd201, -14'sd228, -14'sd256, -14'sd286, -14'sd316,
-    -14'sd347, -14'sd378, -14'sd410, -14'sd441, -14'sd473, -14'sd507, -14'sd538, -14'sd573};
+    -14'sd146, -14'sd155, -14'sd174, -14'sd196, -14'sd222, -14'sd249, -14'sd278, -14'sd307,
+    -14'sd337, -14'sd366, -14'sd397, -14'sd428, -14'sd459, -14'sd491, -14'sd522, -14'sd556};
   localparam sum_t Slerp [16] = '{
-    -14'sd151, -14'sd162, -14'sd182, -14'sd208, -14'sd235, -14'sd264, -14'sd295, -14'sd325,
-    -14'sd356, -14'sd387, -14'sd418, -14'sd452, -14'sd485, -14'sd518, -14'sd548, -14'sd581};
+    -14'sd151, -14'sd162, -14'sd182, -14'sd203, -14'sd228, -14'sd257, -14'sd285, -14'sd317,
+    -14'sd346, -14'sd376, -14'sd410, -14'sd439, -14'sd472, -14'sd503, -14'sd535, -14'sd565};
 
   logic [3:0] entry;
   logic [4:0] fraction;

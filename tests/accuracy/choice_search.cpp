@@ -58,12 +58,12 @@ ChoicePoint ChoiceSearch::Start(const ChoiceRegion& region) {
   ChoicePoint point;
   point.chord = Between(region.least_chord, region.most_chord);
   point.shininess = Between(region.least_shininess, region.most_shininess);
-  const unsigned shape = random_() % 4;
+  const auto shape = random_() % 4;
   if (shape == 1) point.near = Uniform(), point.apart = Uniform();
   if (shape == 2) point.near = std::round(2 * Uniform()) / 2, point.apart = std::round(Uniform());
   if (shape == 3) point.near = 0.9 + 0.1 * Uniform(), point.apart = Uniform();
   point.edge = region.edge;
-  const unsigned turn = random_() % 3;
+  const auto turn = static_cast<int>(random_() % 3);
   for (auto& end : point.end) {
     end = RandomWeight(region.edge);
     if (region.edge) std::rotate(end.begin(), end.begin() + turn, end.end());
@@ -83,7 +83,7 @@ ChoicePoint ChoiceSearch::Start(const ChoiceRegion& region) {
   const Vector any = Aside({}, 1);
   const Vector level = Normalised(Sum(any, Scaled(-Dot(any, base), base)));
   const Vector half = Sum(Scaled(std::cos(angle), base), Scaled(std::sin(angle), level));
-  const unsigned kind = random_() % 3;
+  const auto kind = random_() % 3;
   point.light = kind == 0 ? Aside(above(), point.chord) : kind == 1 ? Aside({}, 1) : level;
   point.half_or_view = half;
   if (region.reflected) {
