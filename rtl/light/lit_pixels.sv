@@ -81,7 +81,7 @@ module lit_pixels
     .footprint_i,
     .pixel_valid_i(enter_valid_i),
     .pixel_ready_o(enter_ready_o),
-    .mask_i,
+    .mask_i, .shaded_i,
     .enter_valid_o(queue_valid),
     .enter_ready_i(queue_ready),
     .valid_o      (cosines_valid),

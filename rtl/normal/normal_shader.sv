@@ -54,6 +54,7 @@ module normal_shader
   input  logic                 pixel_valid_i,
   output logic                 pixel_ready_o,
   input  logic [Lanes-1:0]     mask_i,
+  input  logic                 shaded_i,      // auto: the pixels have their codes
   output logic                 enter_valid_o,
   input  logic                 enter_ready_i,
 
@@ -145,7 +146,7 @@ module normal_shader
   logic                                  leaves;        // pixels, from the walker
   logic                                  sample_valid;
   quantity_t [Lanes-1:0][Components-1:0] sample;
-  assign leaves = pixel_valid_i && enter_ready_i;
+  assign leaves = pixel_valid_i && enter_ready_i && !(is_auto && shaded_i);
 
   footprint_samples #(.Built(HasFootprint), .Lanes(Lanes)) u_footprint_samples (
     .clk_i, .rst_ni, .is_footprint_i(is_footprint),
