@@ -42,6 +42,11 @@ int64_t Evaluations(const Check& check, bool quick) {
   return std::max<int64_t>((quick ? 1000000 : 20000000) / check.cost, 24);
 }
 
+// "codes", or "x 2^-24".
+std::string UnitOf(const Check& check) {
+  return check.ulp == std::string("codes") ? "codes" : fmt::format("x {}", check.ulp);
+}
+
 int Replay(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
@@ -59,7 +64,7 @@ int Replay(const std::string& path) {
       for (const auto& operand : text["operands"]) genes.push_back(operand.value("value", 0.0));
       if (genes.size() != check.genes.size()) break;
       const double error = check.error(genes, text.value("narrow", 0));
-      fmt::print("{}: {:.6g} of {:.6g} x {}\n", check.unit, error, check.bound, check.ulp);
+      fmt::print("{}: {:.6g} of {:.6g} {}\n", check.unit, error, check.bound, UnitOf(check));
       broken += error > check.bound;
       found = true;
     }
@@ -108,8 +113,8 @@ int Stress(const Options& options) {
     WriteWhole(out / (f.check.unit + ".worst.jsonl"), stress::WorstLine(f, options.seed) + "\n");
     broken += f.Broken();
     if (options.quiet && !f.Broken()) continue;
-    fmt::print("{:22} {:>12.6g} of {:>10.6g} x {:28} {:6.3f} {}\n", f.check.unit, f.worst.error,
-               f.check.bound, f.check.ulp, f.Share(), f.Broken() ? "BROKEN" : "");
+    fmt::print("{:22} {:>12.6g} of {:>10.6g} {:30} {:6.3f} {}\n", f.check.unit, f.worst.error,
+               f.check.bound, UnitOf(f.check), f.Share(), f.Broken() ? "BROKEN" : "");
   }
   WriteWhole(out / "stress.json", stress::StressJson(results).dump(1) + "\n");
   WriteWhole(out / "report.html", stress::StressPage(results));

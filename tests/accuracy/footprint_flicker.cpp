@@ -45,8 +45,8 @@ sim::Image Reduce(const sim::Image& fine) {
       std::array<int, 3> sum = {};
       int covered = 0;
       for (int k = 0; k < kCount; ++k) {
-        const auto at = static_cast<size_t>((y * kFine + k / kFine) * fine.width + x * kFine +
-                                            k % kFine);
+        const auto at =
+            static_cast<size_t>((y * kFine + k / kFine) * fine.width + x * kFine + k % kFine);
         covered += fine.covered[at] != 0;
         for (size_t c = 0; c < 3; ++c) sum[c] += fine.code[at][c];
       }
@@ -90,8 +90,7 @@ Drawn DrawFrame(const Turning& turning, int frame) {
   drawn[kEllipseMean] = footprint.ToImage();
   view.width *= kFine;
   view.height *= kFine;
-  drawn[kSupersampled] =
-      Reduce(Shade(sim::Project(turning.scene, view), Method::kPhong).ToImage());
+  drawn[kSupersampled] = Reduce(Shade(sim::Project(turning.scene, view), Method::kPhong).ToImage());
   return drawn;
 }
 

@@ -13,7 +13,10 @@ int main(int argc, char** argv) {
   constexpr int kShownFrame = 30;
   try {
     const auto scenes = SlantedScenes();
-    if (argc > 1) shading::sim::WriteImage(argv[1], FlickerPicture({scenes[0], scenes[1]}, kShownFrame));
+    if (argc > 1) {
+      const auto picture = FlickerPicture({scenes[0], scenes[1]}, kShownFrame);
+      shading::sim::WriteImage(argv[1], picture);
+    }
     for (const Turning& scene : scenes) {
       const FlickerTable table = MeasureFlicker(scene, kTurningSteps);
       for (size_t d = 0; d < kDrawings; ++d) {

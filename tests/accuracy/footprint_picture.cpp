@@ -37,8 +37,8 @@ void Enlarge(const sim::Image& from, const Box& box, int left, int top, sim::Ima
   const int zoom = kCell / box.width;
   for (int y = 0; y < zoom * box.height; ++y) {
     for (int x = 0; x < zoom * box.width; ++x) {
-      const auto source = static_cast<size_t>((box.top + y / zoom) * from.width + box.left +
-                                              x / zoom);
+      const auto source =
+          static_cast<size_t>((box.top + y / zoom) * from.width + box.left + x / zoom);
       if (!from.covered[source]) continue;
       to->code[static_cast<size_t>((top + y) * to->width + left + x)] = from.code[source];
     }
