@@ -4,8 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "model/triangle_packet.h"
+#include "model/unit_contract.h"
 
 namespace shading::stress {
 
@@ -24,6 +28,8 @@ struct Check {
   std::vector<std::string> genes;
   std::function<double(const Genes&, int narrow)> error;
   std::vector<Genes> starts;  // directed
+  // The triangle of the operands, for units that set up triangles; nullopt where they make none.
+  std::function<std::optional<TriangleList>(const Genes&)> triangle;
   int cost = 1;               // about microseconds of an evaluation
   double blind = 0.5;         // a search that finds less of the bound is blind
 };
@@ -33,8 +39,16 @@ struct Exempt {
   std::string unit, reason;
 };
 
+Check CheckOf(const UnitContract& unit, const std::string& ulp, const std::string& narrowed);
+
 std::vector<Check> RecurrenceChecks();
-std::vector<Check> OperandChecks();
+std::vector<Check> QuadChecks();
+std::vector<Check> NormalChecks();    // units that normalise and turn normals
+std::vector<Check> SetupChecks();     // set-up of spans of normals
+std::vector<Check> LightChecks();
+std::vector<Check> VertexChecks();    // whole lights: of a vertex, of a pixel, of a footprint
+std::vector<Check> TriangleChecks();  // set-up of triangles
+std::vector<Check> TriangleNormalChecks();
 std::vector<Check> AllChecks();
 std::vector<Exempt> Exemptions();
 

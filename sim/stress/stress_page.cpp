@@ -28,7 +28,7 @@ std::string GrowthPlot(const StressResults& r, int bits) {
                     {"worst error, codes of 255", true}, 400, 320);
   int colour = 1;
   for (const Growth& g : r.growth) {
-    if (g.fraction_bits == bits) plot.Add(report::Line{g.points, g.form, colour++, false});
+    if (g.fraction_bits == bits) plot.Add(report::Line{g.points, g.form, false, colour++, false});
   }
   return plot.Svg();
 }
