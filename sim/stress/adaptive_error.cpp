@@ -20,15 +20,15 @@ struct Case {
 
 Case CaseOf(const Genes& g) {
   Case c;
-  c.tolerance = Tolerance::Round(Geometric(1.0 / 16, 8, g[6]));
+  c.tolerance = Tolerance::Round(g[6] < 0.5 ? 0 : Geometric(1.0 / 16, 8, 2 * g[6] - 1));
   c.shininess = g[5] < 0.125 ? 1 : Geometric(1, 256, (g[5] - 0.125) / 0.875);
   const Shininess shininess = Shininess::Round(c.shininess);
   c.shininess = shininess.ToReal();
   c.limit = AdaptiveNormalizer::LimitOf(c.tolerance, shininess, c.shininess > 1);
-  const Real most = kPi * 2 / 3;
+  const Real most = kPi / 2;
   const Real part = std::acos(1 - std::ldexp(static_cast<Real>(c.limit.raw()), -30));
   const auto octave = static_cast<int>(16 * (g[3] - 0.5));
-  const Real asked = g[3] < 0.5 ? static_cast<Real>(Geometric(0.01, 120, 2 * g[3])) * kPi / 180
+  const Real asked = g[3] < 0.5 ? static_cast<Real>(Geometric(0.01, 90, 2 * g[3])) * kPi / 180
                                 : std::ldexp(part, octave) * 0.99999L;
   const GreatArc arc = GreatArc::Of(g);
   c.span = SpanOf(arc, std::min(asked, most * 0.999999L), PixelsOf(g[4], 4096));

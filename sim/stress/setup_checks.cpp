@@ -57,7 +57,7 @@ Check Setup() {
 
 // The arc against the great circle that its own inputs, a first difference and kappa, define.
 Check DirectSetup() {
-  Check check = CheckOf(SlerpDirectSetup::kContract, "2^-30", "side S1.29, step U1.39");
+  Check check = CheckOf(SlerpDirectSetup::kContract, "2^-30", "side S1.29, step U1.39, straight spans by 2^-24");
   check.genes = kArc;
   check.error = [](const Genes& g, int narrow) {
     const SpanCommand span = SpanOfGenes(g);
@@ -68,7 +68,9 @@ Check DirectSetup() {
     const Real kappa = KappaReal(seed.kappa, 0);
     if (kappa > 0.625L) return 0.0;
     const SpanArc arc = SlerpDirectSetup::Of(quantity, seed.kappa);
-    const Real step = std::ldexp(static_cast<Real>(Narrowed(arc.step.raw(), narrow)), -40);
+    // A bit less makes the angle that stands for a straight span twice as large.
+    const int twice = narrow > 0 && kappa == 0 && span.length > 2;
+    const Real step = std::ldexp(static_cast<Real>(Narrowed(arc.step.raw(), narrow)), twice - 40);
     const int last = span.length - 1;
     Real worst = 0;
     for (const int t : {1, last / 3, last / 2, 2 * last / 3, last}) {
@@ -77,7 +79,8 @@ Check DirectSetup() {
         const Real ideal = ExactRecurrence(quantity[i].first.raw(), quantity[i].difference.raw(),
                                            kappa, t);
         const Real at = std::ldexp(c * static_cast<Real>(arc.start[i].raw()) +
-                                       s * static_cast<Real>(Narrowed(arc.side[i].raw(), narrow)),
+                                       std::ldexp(s, -twice) *
+                                           static_cast<Real>(Narrowed(arc.side[i].raw(), narrow)),
                                    8);
         worst = std::max(worst, std::abs(at - ideal));
       }
@@ -90,12 +93,12 @@ Check DirectSetup() {
 }
 
 Check Adaptive() {
-  Check check = CheckOf(AdaptiveNormalizer::kContract, "codes", "AA");
+  Check check = CheckOf(AdaptiveNormalizer::kContract, "codes", "normals S1.23");
   check.genes = kArc;
   check.genes[3] = "turn: below 1/2 logarithm of 0.01..120 degrees, a power of 2 of parts";
   check.genes[4] = "pixels, logarithm of 2..4096";
   check.genes.push_back("shininess, logarithm of 1..256; below 1/8 diffuse only");
-  check.genes.push_back("tolerance, logarithm of 1/16..8 codes");
+  check.genes.push_back("tolerance: below 1/2 none, logarithm of 1/16..8 codes");
   check.error = AdaptiveExcess;
   check.cost = 400;
   return check;

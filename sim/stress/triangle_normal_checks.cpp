@@ -155,6 +155,9 @@ Check Middle() {
   return check;
 }
 
+// Twice the area of triangles that count, in 2^-16 square pixels.
+constexpr int64_t kLeastArea = 1 << 14;
+
 // The disc's radius in pixels: 1/sqrt(3), less where that spans over half a barycentric.
 Real RadiusOf(const ExactWeights& exact) {
   Real steepest = 0;
@@ -167,10 +170,15 @@ Real RadiusOf(const ExactWeights& exact) {
 
 TrianglePacket FootprintTriangle(const Genes& g) {
   TrianglePacket packet = CornersOf({0.1, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5}, 512, 512);
-  const double size = Geometric(3.1, 100, g[6]);
+  double longest = 1e-3;
+  for (size_t i = 0; i < 6; i += 2) {
+    const size_t j = (i + 2) % 6;
+    longest = std::max(longest, std::hypot(g[j] - g[i], g[j + 1] - g[i + 1]));
+  }
+  const double scale = Geometric(3.01, 100, g[6]) / longest;  // pixels of the longest edge
   for (size_t i = 0; i < 3; ++i) {
-    packet.x[i] = ScreenCoord::Round(256 + size * (2 * g[2 * i] - 1));
-    packet.y[i] = ScreenCoord::Round(256 + size * (2 * g[2 * i + 1] - 1));
+    packet.x[i] = ScreenCoord::Round(256 + scale * (g[2 * i] - g[0]));
+    packet.y[i] = ScreenCoord::Round(256 + scale * (g[2 * i + 1] - g[1]));
   }
   packet.n = NearNormals(g, 7);
   return packet;
@@ -184,8 +192,7 @@ double MomentError(const Genes& g, int narrow) {
   const FrameState frame = FrameOf(512, 512);
   if (TriangleSetup::Setup(packet, frame, &geometry) != Verdict::kDraw) return 0;
   const ExactWeights exact(packet);
-  const Real size = static_cast<Real>(Geometric(3.1, 100, g[6])) * 256;
-  if (static_cast<Real>(exact.area()) < 0.1L * size * size) return 0;
+  if (exact.area() < kLeastArea) return 0;
   FootprintSetup::Options options;
   const bool four = g[15] < 0.5;
   options.least = options.most = four ? FootprintPattern::kFour : FootprintPattern::kEight;
@@ -225,7 +232,7 @@ Check Moments() {
   Check check = CheckOf(FootprintSetup::kContract, "2^-28", "offsets S1.27");
   check.genes = kCorners;
   check.genes.erase(check.genes.begin());
-  check.genes.push_back("size, logarithm of 3.1..100 pixels");
+  check.genes.push_back("longest edge, logarithm of 3..100 pixels");
   check.genes.insert(check.genes.end(), kNear.begin(), kNear.end());
   check.genes.push_back("four samples below 1/2, eight");
   check.error = MomentError;
