@@ -50,7 +50,7 @@ Real CodesOff(const Vector& actual, const Vector& ideal, const Vector& pole, dou
     for (size_t i = 0; i < 3; ++i) h[i] = std::cos(angle) * ideal[i] + std::sin(angle) * along[i];
     const double is = std::clamp(static_cast<double>(Dot(actual, h)), 0.0, 1.0);
     const double was = std::clamp(static_cast<double>(Dot(ideal, h)), 0.0, 1.0);
-    worst = std::max<Real>(worst, 255 * std::abs(std::pow(is, n) - std::pow(was, n)));
+    Raise(&worst, 255 * std::abs(std::pow(is, n) - std::pow(was, n)));
   }
   return worst;
 }
@@ -77,7 +77,7 @@ double AdaptiveExcess(const Genes& genes, int narrow) {
   for (int pixel = 0, k = 0; unit.Next(&segment); pixel += segment.count, ++k) {
     if (segment.count < 8 && k % 10 != 0) continue;
     for (const int i : {0, segment.count / 2, segment.count - 1}) {
-      worst = std::max(worst, CodesOff(Shown(segment, i, narrow), SlerpAt(c.span, c.turn, pixel + i),
+      Raise(&worst, CodesOff(Shown(segment, i, narrow), SlerpAt(c.span, c.turn, pixel + i),
                                        c.pole, c.shininess));
     }
   }

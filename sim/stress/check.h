@@ -49,6 +49,8 @@ std::vector<Check> LightChecks();
 std::vector<Check> VertexChecks();    // whole lights: of a vertex, of a pixel, of a footprint
 std::vector<Check> TriangleChecks();  // set-up of triangles
 std::vector<Check> TriangleNormalChecks();
+// span_normals of N1 near -N0: up to 170 degrees, or beyond, as a part of what is allowed there.
+Check OpposedNormals(bool beyond);
 std::vector<Check> AllChecks();
 std::vector<Exempt> Exemptions();
 
@@ -63,6 +65,10 @@ inline int64_t RoundNarrow(Real value, int fraction_bits, int narrow) {
 inline int64_t Narrowed(int64_t raw, int narrow) {
   return narrow == 0 ? raw
                      : ((raw + (int64_t{1} << (narrow - 1))) >> narrow) * (int64_t{1} << narrow);
+}
+// The largest so far; what is no number counts as infinite.
+inline void Raise(Real* worst, Real off) {
+  if (!(off <= *worst)) *worst = std::isnan(off) ? HUGE_VALL : off;
 }
 inline double Between(double low, double high, double gene) { return low + (high - low) * gene; }
 // Even in the logarithm.

@@ -125,7 +125,7 @@ Check Segment() {
     Real worst = 0;
     for (int t = 0; t <= kLast; ++t, unit.Step()) {
       const auto at = static_cast<Real>(unit.value().raw());
-      worst = std::max(worst, std::abs(at - real.At(t)));
+      Raise(&worst, std::abs(at - real.At(t)));
     }
     return static_cast<double>(std::ldexp(worst, -kFraction)) - tolerance.ToReal();
   };

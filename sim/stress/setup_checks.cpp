@@ -44,7 +44,7 @@ Check Setup() {
           const QuantitySeed& s = seed.quantity[i][static_cast<size_t>(lane)];
           const Real at = ExactRecurrence(Narrowed(s.first.raw(), narrow),
                                           Narrowed(s.difference.raw(), narrow), kappa, k);
-          worst = std::max(worst, std::abs(std::ldexp(at, -38) - ideal[i]));
+          Raise(&worst, std::abs(std::ldexp(at, -38) - ideal[i]));
         }
       }
     }
@@ -82,7 +82,7 @@ Check DirectSetup() {
                                        std::ldexp(s, -twice) *
                                            static_cast<Real>(Narrowed(arc.side[i].raw(), narrow)),
                                    8);
-        worst = std::max(worst, std::abs(at - ideal));
+        Raise(&worst, std::abs(at - ideal));
       }
     }
     return static_cast<double>(std::ldexp(worst, -8));

@@ -39,7 +39,7 @@ double DepthError(const Genes& g, int narrow) {
     for (size_t i = 0; i < 3; ++i) z += exact.At(i, x, y) * packet.z[i].raw();
     const uint64_t at = plane.At(x - geometry.box_x, y - geometry.box_y) - (uint64_t{1} << 13);
     const Int128 off = Int128{static_cast<int64_t>(at)} * exact.area() - (z << 14);
-    worst = std::max(worst, std::abs(static_cast<Real>(off) / static_cast<Real>(exact.area())));
+    Raise(&worst, std::abs(static_cast<Real>(off) / static_cast<Real>(exact.area())));
   }
   return static_cast<double>(std::ldexp(worst, -14));
 }
@@ -102,7 +102,7 @@ double FitError(const Genes& g, int narrow) {
   Real worst = 0;
   for (const auto& [x, y] : far) {
     const auto at = static_cast<Real>(At(surface, x - left, y - top, narrow));
-    worst = std::max(worst, std::abs(at - Exact(exact, node, x, y)));
+    Raise(&worst, std::abs(at - Exact(exact, node, x, y)));
   }
   return static_cast<double>(std::ldexp(worst, -26));
 }

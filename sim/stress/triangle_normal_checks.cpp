@@ -9,16 +9,22 @@
 namespace shading::stress {
 namespace {
 
-constexpr int kColumns = kMaxScreen, kRows = 32;
+struct Screen {
+  int columns, rows;
+};
+constexpr int kColumns = kMaxScreen;
+constexpr Screen kWide = {kMaxScreen, 32}, kTall = {64, kMaxScreen};
 
 // Normals of a triangle: the second and third at 2^-20..180 degrees or so from the first.
 const std::vector<std::string> kNear = {
     "N0, turn", "N0, height", "N1 - N0, 2^(1 - 24 g)", "its direction, turn", "its height",
     "N2 - N0, 2^(1 - 24 g)", "its direction, turn", "its height"};
-std::array<Vector3, 3> NearNormals(const Genes& g, size_t first) {
-  const Vector centre = Direction(g[first], g[first + 1]);
-  std::array<Vector3, 3> n = {Rounded<NormalComponent>(centre)};
+std::array<Vector3, 3> NearNormals(const Genes& g, size_t first, bool opposed = false) {
+  const Vector start = Direction(g[first], g[first + 1]);
+  std::array<Vector3, 3> n = {Rounded<NormalComponent>(start)};
   for (size_t i = 1; i < 3; ++i) {
+    Vector centre = start;
+    if (opposed && i == 1) centre = {-start[0], -start[1], -start[2]};
     const size_t at = first + 3 * i - 1;
     const Vector way = Direction(g[at + 1], g[at + 2]);
     const auto size = static_cast<Real>(std::pow(2.0, 1 - 24 * g[at]));
@@ -29,9 +35,9 @@ std::array<Vector3, 3> NearNormals(const Genes& g, size_t first) {
   return n;
 }
 
-TrianglePacket TurningOf(const Genes& g) {
-  TrianglePacket packet = CornersOf(g, kColumns, kRows);
-  packet.n = NearNormals(g, 7);
+TrianglePacket TurningOf(const Genes& g, Screen screen = kWide, bool opposed = false) {
+  TrianglePacket packet = CornersOf(g, screen.columns, screen.rows);
+  packet.n = NearNormals(g, 7, opposed);
   return packet;
 }
 
@@ -39,57 +45,90 @@ double SumLength(const ideal::Vector& a, const ideal::Vector& b) {
   const ideal::Vector sum = ideal::Sum(a, b);
   return std::sqrt(ideal::Dot(sum, sum));
 }
-// Whether normals of an edge or at the ends of a row are over 170 degrees apart.
+// How near to opposed the normals of the triangle's edges are: the least |Na + Nb|.
 constexpr double kLeastSum = 0.17431148549531633;  // 2 cos 85 degrees
-bool EdgesOpposed(const TrianglePacket& packet) {
+double EdgesSum(const TrianglePacket& packet) {
+  double least = 2;
   for (size_t i = 0; i < 3; ++i) {
     const auto a = ideal::Normalised(ideal::ToReal(packet.n[i]));
-    if (SumLength(a, ideal::Normalised(ideal::ToReal(packet.n[(i + 1) % 3]))) < kLeastSum)
-      return true;
+    const auto b = ideal::Normalised(ideal::ToReal(packet.n[(i + 1) % 3]));
+    least = std::min(least, SumLength(a, b));
   }
-  return false;
+  return least;
 }
-bool RowOpposed(const ideal::Slerp& slerp, int y) {
+// Of the ends of a row.
+double RowSum(const ideal::Slerp& slerp, int y) {
   constexpr double kFar = 1e5;  // clamped to the ends of the row
-  return SumLength(slerp.Normal(-kFar, y + 0.5), slerp.Normal(kFar, y + 0.5)) < kLeastSum;
+  return SumLength(slerp.Normal(-kFar, y + 0.5), slerp.Normal(kFar, y + 0.5));
 }
 
-// Both ends of some spans against slerp along edges and rows, or against sum w_i N_i.
-double SpanEndsError(const Genes& g, int narrow) {
-  const bool linear = g[15] < 0.3;
-  const TrianglePacket packet = TurningOf(g);
-  const FrameState frame = FrameOf(kColumns, kRows);
-  TriangleGeometry geometry;
-  if (TriangleSetup::Setup(packet, frame, &geometry) != Verdict::kDraw) return 0;
+// Sum w_i N_i.
+Vector LinearAt(const ExactWeights& exact, const TrianglePacket& packet, int x, int y) {
+  Vector n = {};
+  for (size_t v = 0; v < 3; ++v) {
+    const Real w = static_cast<Real>(exact.At(v, x, y)) / static_cast<Real>(exact.area());
+    for (size_t c = 0; c < 3; ++c) n[c] += w * packet.n[v][c].ToReal();
+  }
+  return n;
+}
+
+struct Attached {
+  TrianglePacket packet;
   std::vector<SpanCommand> spans;
-  if (SpanWalker::Walk(geometry, {}, &spans) == 0 || (!linear && EdgesOpposed(packet))) return 0;
-  SpanNormals::Attach(geometry, packet,
-                      linear ? SpanNormals::Interpolation::kLinear
-                             : SpanNormals::Interpolation::kSpherical,
-                      0, {}, &spans);
-  const ideal::Slerp slerp(frame, packet);
-  const ExactWeights exact(packet);
-  Real worst = 0;
-  for (size_t k = 0; k < spans.size(); k += std::max<size_t>(1, spans.size() / 4)) {
-    const SpanCommand& span = spans[k];
-    if (!linear && RowOpposed(slerp, span.y)) continue;
-    for (const size_t end : {size_t{0}, size_t{1}}) {
-      const int x = span.x + (end ? span.length - 1 : 0);
-      Vector ideal = {};
-      if (linear) {
-        for (size_t v = 0; v < 3; ++v) {
-          const Real w =
-              static_cast<Real>(exact.At(v, x, span.y)) / static_cast<Real>(exact.area());
-          for (size_t c = 0; c < 3; ++c) ideal[c] += w * packet.n[v][c].ToReal();
-        }
-      } else {
-        const ideal::Vector n = slerp.Normal(x + 0.5, span.y + 0.5);
-        ideal = {n[0], n[1], n[2]};
-      }
-      worst = std::max<Real>(worst, Farthest(span.normal[end], ideal, narrow));
+  bool Make(const Genes& g, SpanNormals::Interpolation how, Screen screen = kWide,
+            bool opposed = false) {
+    packet = TurningOf(g, screen, opposed);
+    TriangleGeometry geometry;
+    const FrameState frame = FrameOf(screen.columns, screen.rows);
+    if (TriangleSetup::Setup(packet, frame, &geometry) != Verdict::kDraw) return false;
+    if (SpanWalker::Walk(geometry, {}, &spans) == 0) return false;
+    SpanNormals::Attach(geometry, packet, how, 0, {}, &spans);
+    return true;
+  }
+  // Calls visit(span, end, x) for both ends of a few spans.
+  template <typename Visit>
+  void ForEnds(const Visit& visit) const {
+    for (size_t k = 0; k < spans.size(); k += std::max<size_t>(1, spans.size() / 4)) {
+      for (const size_t end : {size_t{0}, size_t{1}})
+        visit(spans[k], end, spans[k].x + (end ? spans[k].length - 1 : 0));
     }
   }
+};
+
+double LinearEndsError(const Genes& g, int narrow) {
+  Attached t;
+  if (!t.Make(g, SpanNormals::Interpolation::kLinear)) return 0;
+  const ExactWeights exact(t.packet);
+  Real worst = 0;
+  t.ForEnds([&](const SpanCommand& span, size_t end, int x) {
+    Raise(&worst, Farthest(span.normal[end], LinearAt(exact, t.packet, x, span.y), narrow));
+  });
   return static_cast<double>(worst);
+}
+
+// Slerp along edges and rows; `opposed`: N1 near -N0, on a tall screen; `beyond`: only beyond 170
+// degrees, as a part of the 1/2 + 2^-7 / |Nl + Nr| ulp that are allowed there.
+double SlerpEndsError(const Genes& g, int narrow, bool opposed, bool beyond) {
+  Attached t;
+  const Screen screen = opposed ? kTall : kWide;
+  if (!t.Make(g, SpanNormals::Interpolation::kSpherical, screen, opposed)) return 0;
+  const double edges = EdgesSum(t.packet);
+  // Below 2^-22 an end may lie on either side of where opposed normals turn a fixed way.
+  if (edges < (beyond ? 0x1p-20 : kLeastSum)) return 0;
+  const ideal::Slerp slerp(FrameOf(screen.columns, screen.rows), t.packet);
+  Real worst = 0;
+  t.ForEnds([&](const SpanCommand& span, size_t end, int x) {
+    const double least = std::min(edges, RowSum(slerp, span.y));
+    if (beyond ? least > kLeastSum || least < 0x1p-20 : least < kLeastSum) return;
+    const ideal::Vector n = slerp.Normal(x + 0.5, span.y + 0.5);
+    const double off = Farthest(span.normal[end], {n[0], n[1], n[2]}, narrow);
+    Raise(&worst, beyond ? off / (0.5 + 0x1p-7 / least) : off);
+  });
+  return static_cast<double>(worst);
+}
+
+double SpanEndsError(const Genes& g, int narrow) {
+  return g[15] < 0.3 ? LinearEndsError(g, narrow) : SlerpEndsError(g, narrow, false, false);
 }
 
 Check Ends() {
@@ -99,7 +138,7 @@ Check Ends() {
   check.genes.push_back("linear below 0.3, spherical");
   check.error = SpanEndsError;
   check.triangle = [](const Genes& g) {
-    return TriangleList{FrameOf(kColumns, kRows), {TurningOf(g)}};
+    return TriangleList{FrameOf(kWide.columns, kWide.rows), {TurningOf(g)}};
   };
   check.cost = 40;
   return check;
@@ -221,7 +260,7 @@ double MomentError(const Genes& g, int narrow) {
       }
       const Real expected =
           radius * radius / 4 * (slope[0][i] * slope[0][j] + slope[1][i] * slope[1][j]);
-      worst = std::max(worst, std::abs(moment - expected));
+      Raise(&worst, std::abs(moment - expected));
       scale = std::max(scale, std::sqrt(std::abs(expected)));
     }
   }
@@ -244,6 +283,15 @@ Check Moments() {
 }
 
 }  // namespace
+
+Check OpposedNormals(bool beyond) {
+  Check check = Ends();
+  if (beyond) check.bound = 1;
+  check.error = [beyond](const Genes& g, int narrow) {
+    return SlerpEndsError(g, narrow, true, beyond);
+  };
+  return check;
+}
 
 std::vector<Check> TriangleNormalChecks() { return {Ends(), Middle(), Moments()}; }
 

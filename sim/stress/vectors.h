@@ -40,7 +40,7 @@ template <typename Fixed>
 double Farthest(const std::array<Fixed, 3>& actual, const Vector& ideal, int narrow) {
   Real worst = 0;
   for (size_t i = 0; i < 3; ++i) {
-    worst = std::max(worst, std::abs(static_cast<Real>(Narrowed(actual[i].raw(), narrow)) -
+    Raise(&worst, std::abs(static_cast<Real>(Narrowed(actual[i].raw(), narrow)) -
                                      std::ldexp(ideal[i], Fixed::kFraction)));
   }
   return static_cast<double>(worst);

@@ -20,7 +20,8 @@ Vector RealOf(const Vector3& v) { return stress::RealOf<NormalComponent>(v); }
 Vector Near(const Vector3& centre, const Genes& g) {
   const Vector way = Direction(g[9], g[10]), at = RealOf(centre);
   const auto size = static_cast<Real>(std::pow(2.0, -14 * g[8]));
-  return Unit({at[0] + size * way[0], at[1] + size * way[1], at[2] + size * way[2]});
+  const Vector v = {at[0] + size * way[0], at[1] + size * way[1], at[2] + size * way[2]};
+  return Dot(v, v) < 1e-6L ? at : Unit(v);  // H itself where the two cancel
 }
 Rgb Grey(double value) {
   const Reflectance r = Reflectance::Round(value);
