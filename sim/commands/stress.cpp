@@ -103,7 +103,7 @@ void WriteCase(const fs::path& out, const Finding& f, uint32_t seed) {
 void Print(const stress::StressResults& results, bool quiet) {
   for (const Finding& f : results.findings) {
     if (quiet && !f.Broken()) continue;
-    fmt::print("{:22} {:>12.6g} of {:>10.6g} x {:28} {:6.3f} {}\n", f.check.unit, f.worst.error,
+    fmt::print("{:22} {:>12.6g} of {:>10.6g} x {:28} {:6.3g} {}\n", f.check.unit, f.worst.error,
                f.check.bound, f.check.ulp, f.Share(), f.Broken() ? "BROKEN" : "");
   }
   for (const stress::Condition& c : results.conditions) {

@@ -51,7 +51,7 @@ Check Setup() {
     return static_cast<double>(std::ldexp(worst, 30));
   };
   check.starts = {{0.1, 0.3, 0.2, 0.78, 0.99, 1}, {0.1, 0.3, 0.2, 0.4, 0.99, 1}};
-  check.cost = 8;
+  check.cost = 25;
   return check;
 }
 

@@ -18,6 +18,9 @@ Entry Held(bool broken) {
   return entry;
 }
 
+// JSON's stand-in for infinity is no number to print.
+Entry Size(double value) { return value < 1e200 ? Entry(value) : Entry(value, "no number"); }
+
 void Bounds(const StressResults& r, report::Page* page) {
   page->Section("Bounds and worst cases");
   page->Text(
@@ -29,8 +32,8 @@ void Bounds(const StressResults& r, report::Page* page) {
   report::Table table({"unit", "worst found", "bound stated", "ulp", "found / bound", "held",
                        "cases", "valid for"});
   for (const Finding& f : r.findings) {
-    table.Add({f.check.unit + (f.narrow > 0 ? ": " + f.check.narrowed : ""), f.worst.error,
-               f.check.bound, f.check.ulp, Entry(f.Share(), fmt::format("{:.3f}", f.Share())),
+    table.Add({f.check.unit + (f.narrow > 0 ? ": " + f.check.narrowed : ""), Size(f.worst.error),
+               f.check.bound, f.check.ulp, Entry(f.Share(), fmt::format("{:.3g}", f.Share())),
                Held(f.Broken()), Entry::Count(f.worst.evaluations), f.check.valid});
   }
   page->Markup(table.Html());
@@ -49,7 +52,7 @@ void Trouble(const StressResults& r, report::Page* page) {
       "4096 columns, clamps and registers that wrap. Naive is what an obvious shortcut gives.");
   report::Table table({"kind", "scene", "measured", "worst", "limit", "naive", "held", "cases"});
   for (const Condition& c : r.conditions) {
-    table.Add({c.family, c.scene, c.measure, c.worst, c.limit, c.naive < 0 ? Entry("") : c.naive,
+    table.Add({c.family, c.scene, c.measure, Size(c.worst), c.limit, c.naive < 0 ? Entry("") : c.naive,
                Held(c.Broken()), Entry::Count(c.cases)});
   }
   page->Markup(table.Html());

@@ -30,7 +30,7 @@ Condition ConditionOf(const PartJson& j) {
 }
 
 int64_t Evaluations(const Check& check, bool quick) {
-  return std::max<int64_t>((quick ? 500000 : 40000000) / check.cost, 24);
+  return std::max<int64_t>((quick ? 1000000 : 20000000) / check.cost, 24);
 }
 
 Part UnitPart(const Check& check, int narrow, uint32_t seed, StressResults* r) {

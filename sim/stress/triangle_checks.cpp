@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "model/contracts.h"
+#include "model/ideal/lighting.h"
+#include "model/raster/front_end.h"
 #include "sim/stress/triangle_genes.h"
 
 namespace shading::stress {
@@ -69,7 +71,8 @@ int64_t At(const Surface& s, int x, int y, int narrow) {
 }
 
 // The six basis functions of the nodes, weights over the area: codes in 2^-26.
-Real Exact(const ExactWeights& exact, const std::array<int64_t, 6>& node, int x, int y) {
+template <typename Node>
+Real Exact(const ExactWeights& exact, const std::array<Node, 6>& node, int x, int y) {
   const auto area = static_cast<Real>(exact.area());
   std::array<Real, 3> l;
   for (size_t i = 0; i < 3; ++i) l[i] = static_cast<Real>(exact.At(i, x, y)) / area;
@@ -119,10 +122,64 @@ Check Fit() {
   return check;
 }
 
+// A shiny triangle whose vertices may be dark and the middles of its edges bright.
+TriangleList ShinyOf(const Genes& g) {
+  TriangleList list{FrameOf(kSize, kSize), {CornersOf(g, kSize, kSize)}};
+  const Reflectance one = Reflectance::Round(1), none;
+  Material& material = list.frame.materials[0];
+  material.diffuse = {none, none, none};
+  material.specular = {one, one, one};
+  material.shininess = Shininess::Round(Geometric(1, 256, g[13]));
+  list.triangles[0].n = NormalsOf(g, 7);
+  return list;
+}
+
+// From packet to the sum that is truncated to a code: vertex light, fit, rows, columns; against the
+// quadratic through the closed form of the light at the six nodes.
+double WholeError(const Genes& g, int narrow) {
+  const TriangleList list = ShinyOf(g);
+  const TrianglePacket& packet = list.triangles[0];
+  const FrameWork work = FrontEnd::Run(list, Method::kQuad);
+  if (work.triangles.empty()) return 0;
+  const ExactWeights exact(packet);
+  const ideal::Light light(list.frame);
+  std::array<Real, 6> node;
+  for (size_t i = 0; i < 3; ++i) {
+    const auto shade = [&](const ideal::Vector& n) {
+      return static_cast<Real>(light.Shade(n, list.frame.materials[0])[0]) * 65536;
+    };
+    const ideal::Vector a = ideal::ToReal(packet.n[(i + 1) % 3]);
+    const ideal::Vector b = ideal::ToReal(packet.n[(i + 2) % 3]);
+    const auto mean = ideal::MeanNormal(ideal::Sum(a, b));
+    node[i] = shade(ideal::ToReal(packet.n[i]));
+    node[3 + i] = mean ? shade(*mean) : (shade(a) + shade(b)) / 2;
+  }
+  const TriangleState& state = work.triangles[0];
+  TriangleGeometry geometry;
+  TriangleSetup::Setup(packet, list.frame, &geometry);
+  Real worst = 0;
+  for (const auto& [x, y] : FarPixels(exact, geometry)) {
+    const auto at =
+        static_cast<Real>(At(state.surface[0], x - state.origin_x, y - state.origin_y, narrow));
+    Raise(&worst, std::abs(at - Exact(exact, node, x, y)));
+  }
+  return static_cast<double>(std::ldexp(worst, -26));
+}
+
+Check Whole() {
+  Check check = CheckOf(ShadingUnit::kContract, "codes", "coefficients S9.25");
+  check.genes = With(With(kCorners, kNormals), {"shininess, logarithm of 1..256"});
+  check.error = WholeError;
+  check.triangle = ShinyOf;
+  check.starts = {{0.3, 0.4, 0.4, 0.4, 0.4, 0.9, 0.2, 0, 0.8, 0.33, 0.8, 0.66, 0.8, 0.6}};
+  check.cost = 250;
+  return check;
+}
+
 }  // namespace
 
 std::vector<Check> TriangleChecks() {
-  std::vector<Check> checks = {Depths(), Fit()};
+  std::vector<Check> checks = {Depths(), Fit(), Whole()};
   for (Check& check : TriangleNormalChecks()) checks.push_back(std::move(check));
   return checks;
 }

@@ -144,13 +144,19 @@ Check Ends() {
   return check;
 }
 
+Vector SumOf(const Vector3& a, const Vector3& b) {
+  const Vector u = RealOf(a), v = RealOf(b);
+  return {u[0] + v[0], u[1] + v[1], u[2] + v[2]};
+}
+
 // A triangle whose first edge alone turns further than the limit; vertex 2 has the mean normal.
 TrianglePacket FirstEdgeTurns(const Genes& g, int64_t* limit) {
   TrianglePacket packet =
       CornersOf({0.1, g[8], g[9], g[10], g[11], g[9], g[8]}, kColumns, kColumns);
   packet.n = NearNormals(g, 0);
-  const Vector a = RealOf(packet.n[0]), b = RealOf(packet.n[1]);
-  packet.n[2] = Rounded<NormalComponent>(Unit({a[0] + b[0], a[1] + b[1], a[2] + b[2]}));
+  const Vector sum = SumOf(packet.n[0], packet.n[1]);
+  // Opposed normals have no mean: the edge stays whole.
+  packet.n[2] = Dot(sum, sum) < 1.0L / 512 ? packet.n[0] : Rounded<NormalComponent>(Unit(sum));
   for (size_t i = 0; i < 2; ++i)
     packet.z[i] = VertexDepth::FromRaw(std::llround(g[5 + i] * VertexDepth::kMaxRaw));
   int64_t square = 0;
@@ -166,12 +172,13 @@ TrianglePacket FirstEdgeTurns(const Genes& g, int64_t* limit) {
 double MiddleError(const Genes& g, int narrow) {
   int64_t limit = 0;
   const TrianglePacket packet = FirstEdgeTurns(g, &limit);
+  const Vector sum = SumOf(packet.n[0], packet.n[1]);
+  if (limit < 8 || Dot(sum, sum) < 1.0L / 512) return 0;
   std::vector<TrianglePacket> pieces;
   Subdivision(limit).Split(packet, &pieces);
-  if (limit < 8 || pieces.size() != 2) return 0;
+  if (pieces.size() != 2) return 0;
   const TrianglePacket& piece = pieces[0];
-  const Vector a = RealOf(packet.n[0]), b = RealOf(packet.n[1]);
-  const Vector mean = Unit({a[0] + b[0], a[1] + b[1], a[2] + b[2]});
+  const Vector mean = Unit(sum);
   const auto half_off = [&](int64_t middle, int64_t p, int64_t q) {
     return std::abs(static_cast<double>(2 * Narrowed(middle, narrow) - p - q) / 2);
   };

@@ -57,7 +57,7 @@ Scene Opposed(bool beyond) {
       c.measure = "span_normals, part of 1/2 + 2^-7 / |Nl + Nr| ulp";
     }
     const Check check = OpposedNormals(beyond);
-    const Worst worst = Search(check, (quick ? 300000 : 10000000) / check.cost, seed);
+    const Worst worst = Search(check, quick ? 1500 : 60000, seed);
     c.cases = worst.evaluations;
     c.worst = worst.error;
     c.limit = check.bound;
