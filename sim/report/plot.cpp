@@ -52,7 +52,7 @@ Plot::Drawing Plot::Begin() const {
   }
   x = x.OrDefault();
   y = y.OrDefault();
-  const Box frame = {48, 24, width_ - right, height_ - 38.0};
+  const Box frame = {56, 24, width_ - right, height_ - 38.0};
   return {frame, Scale(x.low, x.high, x_.logarithmic, frame.left, frame.right),
           Scale(y.low, y.high, y_.logarithmic, frame.bottom, frame.top), ""};
 }

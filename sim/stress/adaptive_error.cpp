@@ -77,8 +77,8 @@ double AdaptiveExcess(const Genes& genes, int narrow) {
   for (int pixel = 0, k = 0; unit.Next(&segment); pixel += segment.count, ++k) {
     if (segment.count < 8 && k % 10 != 0) continue;
     for (const int i : {0, segment.count / 2, segment.count - 1}) {
-      Raise(&worst, CodesOff(Shown(segment, i, narrow), SlerpAt(c.span, c.turn, pixel + i),
-                                       c.pole, c.shininess));
+      Raise(&worst, CodesOff(Shown(segment, i, narrow), SlerpAt(c.span, c.turn, pixel + i), c.pole,
+                             c.shininess));
     }
   }
   return static_cast<double>(worst) - c.tolerance.ToReal();

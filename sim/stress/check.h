@@ -30,8 +30,8 @@ struct Check {
   std::vector<Genes> starts;  // directed
   // The triangle of the operands, for units that set up triangles; nullopt where they make none.
   std::function<std::optional<TriangleList>(const Genes&)> triangle;
-  int cost = 1;               // about microseconds of an evaluation
-  double blind = 0.5;         // a search that finds less of the bound is blind
+  int cost = 1;        // about microseconds of an evaluation
+  double blind = 0.5;  // a search that finds less of the bound is blind
 };
 
 // Units without a check, and why.
@@ -43,12 +43,13 @@ Check CheckOf(const UnitContract& unit, const std::string& ulp, const std::strin
 
 std::vector<Check> RecurrenceChecks();
 std::vector<Check> QuadChecks();
-std::vector<Check> NormalChecks();    // units that normalise and turn normals
-std::vector<Check> SetupChecks();     // set-up of spans of normals
+std::vector<Check> NormalChecks();  // units that normalise and turn normals
+std::vector<Check> SetupChecks();   // set-up of spans of normals
 std::vector<Check> LightChecks();
 std::vector<Check> VertexChecks();    // whole lights: of a vertex, of a pixel, of a footprint
 std::vector<Check> TriangleChecks();  // set-up of triangles
 std::vector<Check> TriangleNormalChecks();
+std::vector<Check> PieceChecks();  // of a triangle: subdivision, footprints
 // span_normals of N1 near -N0: up to 170 degrees, or beyond, as a part of what is allowed there.
 Check OpposedNormals(bool beyond);
 std::vector<Check> AllChecks();

@@ -57,16 +57,20 @@ int64_t Integer(std::mt19937& random, int64_t low, int64_t high) {
 // Needles from one point to the border of the whole guard band, most of them on few rows.
 void Fan(int needles, Point centre, std::mt19937& random, Counted* counted) {
   std::vector<Point> border;
-  const std::array<Point, 4> corner = {Point{-kBand, -kBand}, {kBand, -kBand}, {kBand, kBand},
-                                       {-kBand, kBand}};
+  const std::array<Point, 4> corner = {
+      Point{-kBand, -kBand}, {kBand, -kBand}, {kBand, kBand}, {-kBand, kBand}};
   for (size_t side = 0; side < 4; ++side) {
     std::vector<int64_t> at = {0};
     for (int i = 0; i < needles / 4; ++i) at.push_back(Integer(random, 1, 2 * kBand - 1));
     std::sort(at.begin(), at.end());
     const Point p = corner[side], q = corner[(side + 1) % 4];
     for (const int64_t t : at)
-      border.push_back({p.x + (q.x > p.x ? t : q.x < p.x ? -t : 0),
-                        p.y + (q.y > p.y ? t : q.y < p.y ? -t : 0)});
+      border.push_back({p.x + (q.x > p.x   ? t
+                               : q.x < p.x ? -t
+                                           : 0),
+                        p.y + (q.y > p.y   ? t
+                               : q.y < p.y ? -t
+                                           : 0)});
   }
   for (size_t i = 0; i < border.size(); ++i)
     counted->Draw(centre, border[i], border[(i + 1) % border.size()]);

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <random>
 
+#include "model/contracts.h"
 #include "model/normal/edge_normals.h"
 #include "model/raster/span_setup.h"
-#include "sim/stress/narrow_recurrence.h"
 #include "sim/stress/model_value.h"
-#include "model/contracts.h"
+#include "sim/stress/narrow_recurrence.h"
 #include "sim/stress/search.h"
 #include "sim/stress/span_arcs.h"
 #include "sim/stress/trouble.h"
@@ -39,8 +39,8 @@ double CornerError(const Genes& g) {
   span.length = kMaxScreen;
   const ChannelSeed seed = SpanSetup::Seed(Method::kQuad, triangle, span).channel[0];
   const Real off = static_cast<Real>(AfterSteps(Unit(seed), kFar)) - ideal;
-  return static_cast<double>(
-      std::ldexp(std::abs(std::remainder(off, std::ldexp(1.0L, IntensityAcc::kWidth))), -kFraction));
+  return static_cast<double>(std::ldexp(
+      std::abs(std::remainder(off, std::ldexp(1.0L, IntensityAcc::kWidth))), -kFraction));
 }
 
 template <typename Unit>
@@ -125,9 +125,9 @@ Condition Lengths(bool quick, uint32_t seed) {
   for (int pixels = 2; pixels <= kMaxScreen; pixels += step) {
     for (int k = 0; k < (quick ? 8 : 40); ++k, ++c.cases) {
       // Dead zones: kappa just under half an ulp; and turns of any size.
-      const Real phi = k % 2 ? std::sqrt(0.999L * 0x1p-39L)
-                             : kPi / 180 / (pixels - 1) *
-                                   static_cast<Real>(Geometric(0.001, 90, unit(random)));
+      const Real phi =
+          k % 2 ? std::sqrt(0.999L * 0x1p-39L)
+                : kPi / 180 / (pixels - 1) * static_cast<Real>(Geometric(0.001, 90, unit(random)));
       const Arc arc{phi, k % 4 == 1 ? 0 : 2 * kPi * static_cast<Real>(unit(random))};
       SlerpRecurrence line({Quantity::Wrap(RoundTo(arc.At(0), 38)),
                             Quantity::Wrap(RoundTo(arc.FirstDifference(), 38))},
@@ -150,7 +150,8 @@ std::vector<Scene> DriftScenes() {
   return {Corner<BasicQuadSurface<SeenWord>>("quad_surface"),
           Corner<BasicQuadStep<SeenWord>>("quad_step"),
           Corner<BasicQuadDifference<SeenWord>>("quad_difference"),
-          Corner<BasicQuadThirdDifference<SeenWord>>("quad_third_difference"), NormalCorner,
+          Corner<BasicQuadThirdDifference<SeenWord>>("quad_third_difference"),
+          NormalCorner,
           Lengths};
 }
 

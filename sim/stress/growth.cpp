@@ -66,8 +66,8 @@ std::vector<Heat> HeatMap(Form form, int fraction_bits, bool quick) {
   for (const double degrees :
        {0.001, 0.01, 0.1, 1.0, 5.0, 15.0, 30.0, 60.0, 90.0, 120.0, 150.0, 170.0, 179.9}) {
     for (int pixels = 4; pixels <= 4096; pixels *= 2) {
-      cells.push_back({degrees, pixels,
-                       WorstOfTurn(form, degrees, fraction_bits, pixels, quick ? 2 : 8)});
+      cells.push_back(
+          {degrees, pixels, WorstOfTurn(form, degrees, fraction_bits, pixels, quick ? 2 : 8)});
     }
   }
   return cells;

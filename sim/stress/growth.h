@@ -7,8 +7,8 @@
 
 namespace shading::stress {
 
-// Paper 000 (7) as printed, and the scaled recurrence of slerp_recurrence, whose multiplier takes 10
-// bits less than its state has; products rounded to nearest or truncated.
+// Paper 000 (7) as printed, and the scaled recurrence of slerp_recurrence, whose multiplier takes
+// 10 bits less than its state has; products rounded to nearest or truncated.
 enum class Form { kScaled, kScaledTruncated, kPaper, kPaperTruncated };
 
 // The worst pixel of a span that turns by `degrees`, several phases, in codes of amplitude 255; 0

@@ -60,7 +60,8 @@ Check FinePower() {
 }
 
 Check Specular() {
-  Check check = CheckOf(SpecularCosine::kContract, "2^-30 of R.V, 2^-17 of N.L", "outputs a bit less");
+  Check check =
+      CheckOf(SpecularCosine::kContract, "2^-30 of R.V, 2^-17 of N.L", "outputs a bit less");
   check.genes = {"N.L", "N.V", "L.V"};
   check.error = [](const Genes& g, int narrow) {
     const auto cosine = [&](size_t i) { return RoundTo(2 * static_cast<Real>(g[i]) - 1, 30); };

@@ -107,7 +107,8 @@ Check Form(const UnitContract& contract, Seeds seeds) {
     const ChannelSeed seed = seeds(g, narrow, &real);
     return LastError<Unit>(seed, real);
   };
-  check.starts = {{1e-9, 1e-9, 1e-9, 0.4, 0.6}, {1 - 1e-9, 1 - 1e-9, 1 - 1e-9, 0.4, 0.6},
+  check.starts = {{1e-9, 1e-9, 1e-9, 0.4, 0.6},
+                  {1 - 1e-9, 1 - 1e-9, 1 - 1e-9, 0.4, 0.6},
                   {1e-9, 1 - 1e-9, 1 - 1e-9, 0.4, 0.6}};
   check.cost = 6;
   check.blind = 0.9;
@@ -152,8 +153,7 @@ Check Split() {
     const ChannelSeed d = lifted(g, &diffuse), s = lifted(other, &specular);
     QuadSplit unit(d, {s, {}});
     for (int t = 0; t < kLast; ++t) unit.Step();
-    const Real ideal =
-        std::max<Real>(diffuse.At(kLast), 0) + std::max<Real>(specular.At(kLast), 0);
+    const Real ideal = std::max<Real>(diffuse.At(kLast), 0) + std::max<Real>(specular.At(kLast), 0);
     return static_cast<double>(
         std::ldexp(std::abs(static_cast<Real>(unit.sum()) - ideal), -kFraction));
   };
@@ -170,10 +170,9 @@ Check Gouraud() {
   check.error = [](const Genes& g, int narrow) {
     constexpr int kLastPixel = kMaxScreen - 1;
     const Real first = InUlps(17, g[0], narrow), slope = InUlps(Slope(g) / 2, g[1], narrow);
-    const auto at = static_cast<Real>(
-        GouraudAfter(Kept(first, narrow), Kept(slope, narrow), kLastPixel));
-    return static_cast<double>(
-        std::ldexp(std::abs(at - first - slope * kLastPixel), -kFraction));
+    const auto at =
+        static_cast<Real>(GouraudAfter(Kept(first, narrow), Kept(slope, narrow), kLastPixel));
+    return static_cast<double>(std::ldexp(std::abs(at - first - slope * kLastPixel), -kFraction));
   };
   check.starts = {{1e-9, 1e-9, 0, 0.6, 0}, {1 - 1e-9, 1 - 1e-9, 0, 0.6, 0}};
   check.cost = 15;

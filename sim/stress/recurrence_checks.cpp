@@ -17,7 +17,8 @@ Arc ArcOf(const Genes& g) {
 }
 
 Check Slerp() {
-  Check check = CheckOf(SlerpRecurrence::kContract, "2^-28", "state S1.37, multiplier operand S1.27");
+  Check check =
+      CheckOf(SlerpRecurrence::kContract, "2^-28", "state S1.37, multiplier operand S1.27");
   check.genes = {"turn, logarithm of 0.001..90 degrees", "phase of the middle, 0..2 pi"};
   check.error = [](const Genes& g, int narrow) {
     const Arc arc = ArcOf(g);
@@ -113,8 +114,8 @@ Check Walker() {
     const Real first = 0.25L + Fraction(g[0]) * unit;
     const Real slope =
         (std::round(g[2] / 2 / kLastPixel / unit) + static_cast<Real>(Fraction(g[1]))) * unit;
-    const int64_t at = DepthAfter(RoundNarrow(first, 38, narrow), RoundNarrow(slope, 38, narrow),
-                                  kLastPixel);
+    const int64_t at =
+        DepthAfter(RoundNarrow(first, 38, narrow), RoundNarrow(slope, 38, narrow), kLastPixel);
     return static_cast<double>(std::ldexp(
         std::abs(std::ldexp(static_cast<Real>(at), -38) - first - slope * kLastPixel), 24));
   };

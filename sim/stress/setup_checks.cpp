@@ -8,10 +8,9 @@
 namespace shading::stress {
 namespace {
 
-const std::vector<std::string> kArc = {"direction, turn", "direction, height",
-                                       "turn of the arc's plane",
-                                       "turn: below 1/2 logarithm of 0.0001..90 degrees, 85..90",
-                                       "pixels, logarithm of 2..4096"};
+const std::vector<std::string> kArc = {
+    "direction, turn", "direction, height", "turn of the arc's plane",
+    "turn: below 1/2 logarithm of 0.0001..90 degrees, 85..90", "pixels, logarithm of 2..4096"};
 
 double TurnOfGene(double gene) {
   return gene < 0.5 ? Geometric(1e-4, 90, 2 * gene) : Between(85, 90, 2 * gene - 1);
@@ -57,7 +56,8 @@ Check Setup() {
 
 // The arc against the great circle that its own inputs, a first difference and kappa, define.
 Check DirectSetup() {
-  Check check = CheckOf(SlerpDirectSetup::kContract, "2^-30", "side S1.29, step U1.39, straight spans by 2^-24");
+  Check check = CheckOf(SlerpDirectSetup::kContract, "2^-30",
+                        "side S1.29, step U1.39, straight spans by 2^-24");
   check.genes = kArc;
   check.error = [](const Genes& g, int narrow) {
     const SpanCommand span = SpanOfGenes(g);
@@ -76,12 +76,12 @@ Check DirectSetup() {
     for (const int t : {1, last / 3, last / 2, 2 * last / 3, last}) {
       const Real c = std::cos(t * step), s = std::sin(t * step);
       for (size_t i = 0; i < 3; ++i) {
-        const Real ideal = ExactRecurrence(quantity[i].first.raw(), quantity[i].difference.raw(),
-                                           kappa, t);
-        const Real at = std::ldexp(c * static_cast<Real>(arc.start[i].raw()) +
-                                       std::ldexp(s, -twice) *
-                                           static_cast<Real>(Narrowed(arc.side[i].raw(), narrow)),
-                                   8);
+        const Real ideal =
+            ExactRecurrence(quantity[i].first.raw(), quantity[i].difference.raw(), kappa, t);
+        const Real at = std::ldexp(
+            c * static_cast<Real>(arc.start[i].raw()) +
+                std::ldexp(s, -twice) * static_cast<Real>(Narrowed(arc.side[i].raw(), narrow)),
+            8);
         Raise(&worst, std::abs(at - ideal));
       }
     }
@@ -100,6 +100,9 @@ Check Adaptive() {
   check.genes.push_back("shininess, logarithm of 1..256; below 1/8 diffuse only");
   check.genes.push_back("tolerance: below 1/2 none, logarithm of 1/16..8 codes");
   check.error = AdaptiveExcess;
+  // Just under 90 degrees, 4096 pixels, n = 256, tolerance 0: every pixel a node.
+  check.starts = {{0.1178, 0.9968, 0.4062, 0.499, 1, 1, 0.2544},
+                  {0.7426, 0.0000016, 0.5534, 0.4995, 0.9999, 1, 0.3384}};
   check.cost = 400;
   return check;
 }

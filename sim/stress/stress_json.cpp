@@ -35,8 +35,8 @@ json UnitsJson(const StressResults& r) {
 json ConditionsJson(const StressResults& r) {
   json conditions = json::array();
   for (const Condition& c : r.conditions) {
-    json one = {{"family", c.family}, {"scene", c.scene}, {"measure", c.measure},
-                {"cases", c.cases},   {"worst", c.worst}, {"limit", c.limit},
+    json one = {{"family", c.family},  {"scene", c.scene}, {"measure", c.measure},
+                {"cases", c.cases},    {"worst", c.worst}, {"limit", c.limit},
                 {"broken", c.Broken()}};
     if (c.naive >= 0) one["naive"] = c.naive;
     conditions.push_back(one);
@@ -79,12 +79,12 @@ json StressJson(const StressResults& r) {
   for (const Reference& f : r.references)
     references.push_back(
         {{"what", f.what}, {"unit", f.unit}, {"expected", f.expected}, {"here", f.here}});
-  return {{"version", r.version},  {"command", r.command},
-          {"machine", r.machine},  {"seed", r.seed},
-          {"quick", r.quick},      {"units", UnitsJson(r)},
-          {"growth", growth},      {"conditions", ConditionsJson(r)},
+  return {{"version", r.version},   {"command", r.command},
+          {"machine", r.machine},   {"seed", r.seed},
+          {"quick", r.quick},       {"units", UnitsJson(r)},
+          {"growth", growth},       {"conditions", ConditionsJson(r)},
           {"not_searched", exempt}, {"word_lengths", words},
-          {"heat", heat},          {"references", references}};
+          {"heat", heat},           {"references", references}};
 }
 
 }  // namespace shading::stress

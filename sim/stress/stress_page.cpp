@@ -52,8 +52,8 @@ void Trouble(const StressResults& r, report::Page* page) {
       "4096 columns, clamps and registers that wrap. Naive is what an obvious shortcut gives.");
   report::Table table({"kind", "scene", "measured", "worst", "limit", "naive", "held", "cases"});
   for (const Condition& c : r.conditions) {
-    table.Add({c.family, c.scene, c.measure, Size(c.worst), c.limit, c.naive < 0 ? Entry("") : c.naive,
-               Held(c.Broken()), Entry::Count(c.cases)});
+    table.Add({c.family, c.scene, c.measure, Size(c.worst), c.limit,
+               c.naive < 0 ? Entry("") : c.naive, Held(c.Broken()), Entry::Count(c.cases)});
   }
   page->Markup(table.Html());
 }
@@ -75,9 +75,11 @@ void Words(const StressResults& r, report::Page* page) {
   page->Markup("<div class=\"long\">" + table.Html() + "</div>");
   page->Subsection("Expected and measured here");
   page->Text(
-      "Expected: another simulation of the same recurrences, the worst of its own sample of signals. "
-      "Searches of other samples agree within a small factor where the error is a sum of roundings, "
-      "and better where a bound is attained.");
+      "Expected: another simulation of the same recurrences, the worst of its own sample of "
+      "signals; "
+      "for paper 000 and the scaled form the length of a vector's error, up to sqrt(3) times that "
+      "of "
+      "a component, which is measured here. Values of paper 003 are of one channel.");
   report::Table references({"case", "unit", "expected", "measured here", "measured / expected"});
   for (const Reference& f : r.references)
     references.Add({f.what, f.unit, f.expected, f.here, f.here / f.expected});

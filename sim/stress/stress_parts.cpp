@@ -59,9 +59,8 @@ Part GrowthPart(StressResults* r) {
           },
           [r](const PartJson& all) {
             for (const PartJson& g : all)
-              r->growth.push_back(
-                  {g.at("form"), g.at("bits"),
-                   g.at("points").get<std::vector<std::pair<double, double>>>()});
+              r->growth.push_back({g.at("form"), g.at("bits"),
+                                   g.at("points").get<std::vector<std::pair<double, double>>>()});
           }};
 }
 

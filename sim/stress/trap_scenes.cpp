@@ -113,8 +113,6 @@ Condition RegistersLeft(bool quick, uint32_t seed) {
 
 }  // namespace
 
-std::vector<Scene> TrapScenes() {
-  return {Overshoot, DarkToLit, CodesFedBack, RegistersLeft};
-}
+std::vector<Scene> TrapScenes() { return {Overshoot, DarkToLit, CodesFedBack, RegistersLeft}; }
 
 }  // namespace shading::stress

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kSize = kMaxScreen;
 
-std::vector<std::string> With(std::vector<std::string> genes, const std::vector<std::string>& more) {
+std::vector<std::string> With(std::vector<std::string> genes,
+                              const std::vector<std::string>& more) {
   genes.insert(genes.end(), more.begin(), more.end());
   return genes;
 }
@@ -180,7 +181,9 @@ Check Whole() {
 
 std::vector<Check> TriangleChecks() {
   std::vector<Check> checks = {Depths(), Fit(), Whole()};
-  for (Check& check : TriangleNormalChecks()) checks.push_back(std::move(check));
+  for (const auto family : {TriangleNormalChecks, PieceChecks}) {
+    for (Check& check : family()) checks.push_back(std::move(check));
+  }
   return checks;
 }
 

@@ -79,11 +79,26 @@ std::array<Vector3, 3> NormalsOf(const Genes& genes, size_t first) {
   return n;
 }
 
+std::array<Vector3, 3> NearNormals(const Genes& g, size_t first, bool opposed) {
+  const Vector start = Direction(g[first], g[first + 1]);
+  std::array<Vector3, 3> n = {Rounded<NormalComponent>(start)};
+  for (size_t i = 1; i < 3; ++i) {
+    Vector centre = start;
+    if (opposed && i == 1) centre = {-start[0], -start[1], -start[2]};
+    const size_t at = first + 3 * i - 1;
+    const Vector way = Direction(g[at + 1], g[at + 2]);
+    const auto size = static_cast<Real>(std::pow(2.0, 1 - 24 * g[at]));
+    const Vector v = {centre[0] + size * way[0], centre[1] + size * way[1],
+                      centre[2] + size * way[2]};
+    n[i] = Dot(v, v) < 1e-6L ? n[0] : Rounded<NormalComponent>(Unit(v));
+  }
+  return n;
+}
+
 ExactWeights::ExactWeights(const TrianglePacket& packet) {
   for (size_t i = 0; i < 3; ++i) corner_[i] = {packet.x[i].raw(), packet.y[i].raw()};
   const auto& [a, b, c] = corner_;
-  const Int128 area =
-      Int128{b[0] - a[0]} * (c[1] - a[1]) - Int128{c[0] - a[0]} * (b[1] - a[1]);
+  const Int128 area = Int128{b[0] - a[0]} * (c[1] - a[1]) - Int128{c[0] - a[0]} * (b[1] - a[1]);
   sign_ = area < 0 ? -1 : 1;
   area_ = sign_ * area;
 }
@@ -123,8 +138,7 @@ std::array<int, 2> ExactWeights::Row(int y, int left, int columns) const {
   return first <= last ? std::array<int, 2>{first, last + 1} : std::array<int, 2>{0, 0};
 }
 
-std::vector<std::array<int, 2>> FarPixels(const ExactWeights& weights,
-                                          const TriangleGeometry& g) {
+std::vector<std::array<int, 2>> FarPixels(const ExactWeights& weights, const TriangleGeometry& g) {
   std::vector<std::array<int, 2>> far;
   const auto row = [&](int y) {
     const auto [first, end] = weights.Row(y, g.box_x, g.columns);

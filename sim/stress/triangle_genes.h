@@ -13,7 +13,12 @@ namespace shading::stress {
 
 // The first operands of units that set up triangles: where its vertices lie.
 inline const std::vector<std::string> kCorners = {
-    "kind: guard band, whole screen, sliver, small, whole sliver", "x0", "y0", "x1", "y1", "x2",
+    "kind: guard band, whole screen, sliver, small, whole sliver",
+    "x0",
+    "y0",
+    "x1",
+    "y1",
+    "x2",
     "y2"};
 
 // A frame without culling with one grey material, light and viewer in front.
@@ -28,6 +33,18 @@ TrianglePacket CornersOf(const Genes& genes, int width, int height);
 std::array<Vector3, 3> NormalsOf(const Genes& genes, size_t first);
 inline const std::vector<std::string> kNormals = {"N0, turn",   "N0, height", "N1, turn",
                                                   "N1, height", "N2, turn",   "N2, height"};
+
+// Normals of a triangle: the second and third any way from the first, even in the
+// logarithm; `opposed`: the second from its opposite.
+inline const std::vector<std::string> kNear = {"N0, turn",
+                                               "N0, height",
+                                               "N1 - N0, 2^(1 - 24 g)",
+                                               "its direction, turn",
+                                               "its height",
+                                               "N2 - N0, 2^(1 - 24 g)",
+                                               "its direction, turn",
+                                               "its height"};
+std::array<Vector3, 3> NearNormals(const Genes& genes, size_t first, bool opposed = false);
 
 // Twice the area and the weight of each vertex times it, in exact integers from the definition:
 // units of 2^-16 square pixels; the sign makes the area positive.

@@ -18,8 +18,8 @@ struct Pin {
 Scene Pinned(const std::string& unit, const std::string& scene, const std::vector<Pin>& pins) {
   return [=](bool quick, uint32_t seed) {
     const std::vector<Check> checks = TriangleChecks();
-    Check check = *std::find_if(checks.begin(), checks.end(),
-                                [&](const Check& c) { return c.unit == unit; });
+    Check check =
+        *std::find_if(checks.begin(), checks.end(), [&](const Check& c) { return c.unit == unit; });
     check.starts.clear();
     check.error = [pins, error = check.error](const Genes& g, int narrow) {
       Genes pinned = g;
@@ -36,21 +36,21 @@ const Pin kBandOnly = {0, 0, 0.199}, kSliver = {0, 0.4, 0.599}, kSmall = {0, 0.6
           kWholeSliver = {0, 0.8, 1};
 
 // Vertices in opposite corners of the guard band and near a third one.
-const std::vector<Pin> kEdges = {kBandOnly,    {1, 0, 0.001}, {2, 0, 0.001}, {3, 0.999, 1},
+const std::vector<Pin> kEdges = {kBandOnly,     {1, 0, 0.001}, {2, 0, 0.001}, {3, 0.999, 1},
                                  {4, 0, 0.001}, {5, 0, 1},     {6, 0.999, 1}};
 // All vertices within `pixels` of the centre of one, on a screen of 4096 columns.
 std::vector<Pin> Tiny(double pixels, double rows) {
   const double x = (100.5 + 2) / (4096 + 4), dx = pixels / 4100;
   const double y = (10.5 + 2) / (rows + 4), dy = pixels / (rows + 4);
   std::vector<Pin> pins = {kSmall, {1, x - dx, x + dx}, {2, y - dy, y + dy}};
-  for (size_t i = 3; i < 7; ++i)
-    pins.push_back({i, 0.5 - pixels / 128, 0.5 + pixels / 128});
+  for (size_t i = 3; i < 7; ++i) pins.push_back({i, 0.5 - pixels / 128, 0.5 + pixels / 128});
   return pins;
 }
 
 Scene Opposed(bool beyond) {
   return [beyond](bool quick, uint32_t seed) {
-    Condition c{"triangles", "a normal near the opposite of another, edges and rows up to 170 degrees",
+    Condition c{"triangles",
+                "a normal near the opposite of another, edges and rows up to 170 degrees",
                 "span_normals, 2^-30"};
     if (beyond) {
       c.scene = "the same, edges or rows of 170..179.9999 degrees";

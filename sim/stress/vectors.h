@@ -15,7 +15,9 @@ inline Vector Direction(double turn, double height) {
   const Real z = 2 * static_cast<Real>(height) - 1, r = std::sqrt(1 - z * z);
   return {r * std::cos(2 * kPi * turn), r * std::sin(2 * kPi * turn), z};
 }
-inline Real Dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Real Dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 inline Vector Cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -41,7 +43,7 @@ double Farthest(const std::array<Fixed, 3>& actual, const Vector& ideal, int nar
   Real worst = 0;
   for (size_t i = 0; i < 3; ++i) {
     Raise(&worst, std::abs(static_cast<Real>(Narrowed(actual[i].raw(), narrow)) -
-                                     std::ldexp(ideal[i], Fixed::kFraction)));
+                           std::ldexp(ideal[i], Fixed::kFraction)));
   }
   return static_cast<double>(worst);
 }

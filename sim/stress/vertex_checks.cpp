@@ -9,12 +9,18 @@ namespace shading::stress {
 namespace {
 
 // A light, a viewer, a grey material and a normal about the peak of the highlight.
-const std::vector<std::string> kLit = {"view, turn", "view, height",
-                                       "light, turn", "light, height",
-                                       "ambient 0..1/4", "diffuse",
-                                       "specular, 1 - g^4", "shininess, 256 - 255 g^2",
-                                       "normal from H, 2^(-14 g)", "its direction, turn",
-                                       "its direction, height", "Blinn below 1/2, Phong"};
+const std::vector<std::string> kLit = {"view, turn",
+                                       "view, height",
+                                       "light, turn",
+                                       "light, height",
+                                       "ambient 0..1/4",
+                                       "diffuse",
+                                       "specular, 1 - g^4",
+                                       "shininess, 256 - 255 g^2",
+                                       "normal from H, 2^(-14 g)",
+                                       "its direction, turn",
+                                       "its direction, height",
+                                       "Blinn below 1/2, Phong"};
 
 Vector RealOf(const Vector3& v) { return stress::RealOf<NormalComponent>(v); }
 Vector Near(const Vector3& centre, const Genes& g) {
