@@ -31,9 +31,10 @@ std::vector<Exempt> Exemptions() {
   for (const UnitContract& unit : kContracts) {
     const auto same = [&](const Check& c) { return c.unit == unit.name; };
     if (std::any_of(checks.begin(), checks.end(), same)) continue;
-    exempt.push_back({unit.name, unit.max_error_ulp == 0
-                                     ? "exact: states no error; equality tests prove every bit"
-                                     : "its bound is not searched"});
+    exempt.push_back(
+        {unit.name, unit.max_error_ulp == 0
+                        ? "exact: states no error, every bit is compared by equality tests"
+                        : "its bound is not searched"});
   }
   return exempt;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "sim/stress/narrow_paper.h"
+#include "sim/stress/quad_drift.h"
 
 namespace shading::stress {
 namespace {
@@ -57,6 +58,16 @@ std::vector<Growth> GrowthCurves(bool quick) {
     add(Form::kScaledTruncated, "slerp_recurrence, truncated", bits);
     add(Form::kPaper, "slerp_paper, nearest", bits);
     add(Form::kPaperTruncated, "slerp_paper, truncated", bits);
+  }
+  // Second order, start values and coefficients rounded to nearest; (2) is rounded as (3) is.
+  for (const int bits : {20, 26}) {
+    for (const accuracy::DriftForm& form : accuracy::DriftForms()) {
+      if (form.name.find("(2)") != std::string::npos) continue;
+      Growth growth{form.name, bits, {}, "003"};
+      for (int pixels = 4; pixels <= 4096; pixels *= quick ? 4 : 2)
+        growth.points.emplace_back(pixels, accuracy::WorstDrift(form, bits, pixels - 1));
+      curves.push_back(growth);
+    }
   }
   return curves;
 }

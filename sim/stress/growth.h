@@ -20,6 +20,7 @@ struct Growth {
   std::string form;  // and rounding
   int fraction_bits;
   std::vector<std::pair<double, double>> points;  // pixels, codes
+  std::string paper = "000";
 };
 std::vector<Growth> GrowthCurves(bool quick);
 

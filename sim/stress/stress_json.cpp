@@ -63,7 +63,10 @@ json StressJson(const StressResults& r) {
   json growth = json::array(), exempt = json::array(), words = json::array();
   json heat = json::array(), references = json::array();
   for (const Growth& g : r.growth)
-    growth.push_back({{"form", g.form}, {"fraction_bits", g.fraction_bits}, {"points", g.points}});
+    growth.push_back({{"paper", g.paper},
+                      {"form", g.form},
+                      {"fraction_bits", g.fraction_bits},
+                      {"points", g.points}});
   for (const Exempt& e : Exemptions()) exempt.push_back({{"unit", e.unit}, {"reason", e.reason}});
   for (const Word& w : r.words)
     words.push_back({{"form", w.form},

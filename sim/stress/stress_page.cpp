@@ -89,11 +89,17 @@ void Words(const StressResults& r, report::Page* page) {
 void Growths(const StressResults& r, report::Page* page) {
   page->Section("Growth of the error along a span");
   page->Text(
-      "Worst pixel over turns of 0.01 to 150 degrees and several phases, against the closed form, "
-      "amplitude 1. The multiplier of slerp_recurrence takes 10 bits less than its state has.");
-  page->Figure({GrowthPlot(r, 14), GrowthPlot(r, 20), GrowthPlot(r, 26), GrowthPlot(r, 32),
-                GrowthPlot(r, 38)},
-               "Both axes are logarithmic. The paper's form grows with the square of the length.",
+      "Paper 000: worst pixel over turns of 0.01 to 150 degrees and several phases, against the "
+      "closed form, amplitude 1. The multiplier of slerp_recurrence takes 10 bits less than its "
+      "state has.");
+  page->Figure(
+      {GrowthPlot(r, "000", 14), GrowthPlot(r, "000", 20), GrowthPlot(r, "000", 26),
+       GrowthPlot(r, "000", 32), GrowthPlot(r, "000", 38)},
+      "Both axes are logarithmic. Every form grows with the square of the length; the scaled one "
+      "starts from what its short operand loses.",
+      r.command);
+  page->Figure({GrowthPlot(r, "003", 20), GrowthPlot(r, "003", 26)},
+               "Paper 003: start values and coefficients to nearest, in codes; the sums are exact.",
                r.command);
   page->Section("Angle against length");
   std::vector<std::string> maps;

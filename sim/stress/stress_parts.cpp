@@ -54,13 +54,17 @@ Part GrowthPart(StressResults* r) {
           [quick = r->quick] {
             PartJson all = PartJson::array();
             for (const Growth& g : GrowthCurves(quick))
-              all.push_back({{"form", g.form}, {"bits", g.fraction_bits}, {"points", g.points}});
+              all.push_back({{"form", g.form},
+                             {"bits", g.fraction_bits},
+                             {"points", g.points},
+                             {"paper", g.paper}});
             return all;
           },
           [r](const PartJson& all) {
             for (const PartJson& g : all)
               r->growth.push_back({g.at("form"), g.at("bits"),
-                                   g.at("points").get<std::vector<std::pair<double, double>>>()});
+                                   g.at("points").get<std::vector<std::pair<double, double>>>(),
+                                   g.at("paper")});
           }};
 }
 

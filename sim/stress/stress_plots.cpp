@@ -12,7 +12,7 @@
 namespace shading::stress {
 namespace {
 
-constexpr int kCellW = 48, kCellH = 22, kLeft = 76, kTop = 34;
+constexpr int kCellW = 46, kCellH = 22, kLeft = 76, kTop = 34;
 
 template <typename Value>
 size_t PlaceOf(const std::vector<Value>& values, Value value) {
@@ -26,12 +26,13 @@ std::string Short(double codes) {
 
 }  // namespace
 
-std::string GrowthPlot(const StressResults& r, int bits) {
-  report::Plot plot(fmt::format("{} fraction bits", bits), {"pixels of a span", true},
-                    {"worst error, codes of 255", true}, 600, 340);
+std::string GrowthPlot(const StressResults& r, const std::string& paper, int bits) {
+  report::Plot plot(fmt::format("paper {}, {} fraction bits", paper, bits),
+                    {"pixels of a span", true}, {"worst error, codes of 255", true}, 600, 340);
   int colour = 1;
   for (const Growth& g : r.growth) {
-    if (g.fraction_bits == bits) plot.Add(report::Line{g.points, g.form, false, colour++, false});
+    if (g.fraction_bits == bits && g.paper == paper)
+      plot.Add(report::Line{g.points, g.form, false, colour++, false});
   }
   return plot.Svg();
 }
