@@ -24,11 +24,12 @@ check 'the numbers are there' grep -q '"broken": true' narrow/stress.json
 status=0
 "$shadesim" stress --quick --narrow surface_fit --out shape --quiet >/dev/null || status=$?
 check 'one bit less of surface_fit' test "$status" -eq 1
-check 'its triangle can be drawn' "$shadesim" render shape/surface_fit.worst.triangles.jsonl --method quad -o t.png --quiet
+check 'its triangle can be drawn' "$shadesim" render shape/surface_fit.worst.triangles.jsonl \
+  --method quad -o t.png --quiet
 
-# Parts that an earlier run finished are taken from the folder; a part that was cut off is searched anew.
-cp narrow/stress.json quick.json
-line='{"id":"unit reciprocal_sqrt narrow=1","value":{"error":123.5,"genes":[0.5,0.5],"evaluations":7}}'
+# Parts that an earlier run finished are taken from the folder.
+value='{"error":123.5,"genes":[0.5,0.5],"evaluations":7}'
+line="{\"id\":\"unit reciprocal_sqrt narrow=1\",\"value\":$value}"
 mkdir kept
 "$shadesim" stress --narrow reciprocal_sqrt --out kept --quiet >/dev/null &
 full=$!

@@ -167,8 +167,8 @@ TEST(AdaptiveNormalizer, ResetEmptiesIt) {
   }
 }
 
-// The guarantee: within the tolerance of slerp, whatever the span. Spans of the front end turn up to
-// 90 degrees; the unit is right up to 120.
+// The guarantee: within the tolerance of slerp, whatever the span. Those of the front end turn up
+// to 90 degrees; the unit is right up to 120.
 constexpr Real kWideBound = 0.036L;
 
 TEST(AdaptiveNormalizer, ModelWithinErrorBound) {
