@@ -147,6 +147,7 @@ void AddStress(CLI::App* app, Options* o) {
   stress->add_option("--out", o->out, "folder for report.html, stress.json and the worst cases");
   AddSeed(stress, o, "of the search");
   stress->add_flag("--quick", o->quick, "under a minute on two cores");
+  stress->add_flag("--fresh", o->fresh, "forget what a run that was stopped left in the folder");
   stress->add_option("--narrow", o->narrow,
                      "a UNIT or all with one bit less than stated: must break");
   stress->add_option("--replay", o->replay, "a file UNIT.worst.jsonl again");
