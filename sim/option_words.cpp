@@ -5,15 +5,29 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string_view>
 
 #include "sim/options.h"
 
 namespace shading::sim {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kCommands = {"render", "verify", "cycles",
+                                                       "bench",  "stress", "list"};
+
+bool IsCommand(std::string_view word) {
+  return std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end();
+}
+
+}  // namespace
 
 void Refuse(const std::string& what) { throw CLI::ValidationError(what); }
 
@@ -42,6 +56,29 @@ std::vector<Method> Methods(const std::string& word) {
   Refuse(fmt::format("unknown method '{}': take {}or all", word, names));
 }
 
+std::string SeedFault(const std::string& text) {
+  uint32_t seed = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, seed);
+  if (result.ec == std::errc() && result.ptr == end) return "";
+  return fmt::format("takes a whole number from 0 to 4294967295, not '{}'", text);
+}
+
+void CheckCommand(int argc, char** argv) {
+  std::string names;
+  for (const std::string_view name : kCommands) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+  }
+  if (argc < 2) Refuse(fmt::format("name a command: {}", names));
+  if (argv[1][0] == '-' || IsCommand(argv[1])) return;
+  Refuse(fmt::format("unknown command '{}': take one of {}", argv[1], names));
+}
+
+std::string HelpOf(int argc, char** argv) {
+  if (argc < 2 || !IsCommand(argv[1])) return "shadesim --help";
+  return fmt::format("shadesim {} --help", argv[1]);
+}
+
 std::vector<Method> MethodList(const std::string& words) {
   std::vector<Method> methods;
   for (const std::string& word : CLI::detail::split(words, ',')) {
@@ -53,6 +90,9 @@ std::vector<Method> MethodList(const std::string& words) {
 }
 
 FlowPattern Options::Sink() const {
+  if (backpressure.empty()) {
+    Refuse("--backpressure is empty: take none, quarter, random, bits such as 110100, or a file");
+  }
   try {
     if (backpressure == "none") return FlowPattern::Always();
     if (backpressure == "quarter") return FlowPattern::OneInFour();

@@ -27,6 +27,15 @@ std::vector<double> Numbers(const std::string& option, const std::string& text, 
 // A method, or all.
 std::vector<Method> Methods(const std::string& word);
 
+// What is wrong with a --seed, or "".
+std::string SeedFault(const std::string& text);
+
+// Refuses what is no command, and none.
+void CheckCommand(int argc, char** argv);
+
+// What to type for help on the command that is given, or on all of them.
+std::string HelpOf(int argc, char** argv);
+
 // Several with commas between: each once, in the order of shadesim list.
 std::vector<Method> MethodList(const std::string& words);
 

@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <thread>
 
+#include "sim/option_checks.h"
 #include "sim/option_words.h"
 #include "sim/scene/builtin.h"
 
@@ -35,7 +35,8 @@ void AddViewOptions(CLI::App* command, Options* o, Words* w) {
 
 void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
   AddViewOptions(command, o, w);
-  command->add_option("--method", w->method, "a method of shadesim list, or all")
+  command
+      ->add_option("--method", w->method, "methods of shadesim list, with commas between, or all")
       ->capture_default_str();
   command->add_option("--lanes", w->lanes, "pixels per cycle: 1 or 4")
       ->check(CLI::IsMember({1, 4}));
@@ -53,11 +54,18 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
   command->add_option("--triangles-out", o->triangles_out, "write the packets, .jsonl");
 }
 
+void AddSeed(CLI::App* command, Options* o, const char* of_what) {
+  command->add_option("--seed", o->seed, of_what)
+      ->capture_default_str()
+      ->check(SeedFault, "UINT32");
+}
+
 void AddRunOptions(CLI::App* command, Options* o) {
-  command->add_option("--backpressure", o->backpressure,
-                      "none, quarter, random, bits such as 110100, or a file of bits");
-  command->add_option("--seed", o->seed, "seed of random patterns and triangles")
-      ->capture_default_str();
+  command
+      ->add_option("--backpressure", o->backpressure,
+                   "none, quarter, random, bits such as 110100, or a file of bits")
+      ->each([o](const std::string&) { o->backpressure_given = true; });
+  AddSeed(command, o, "of random patterns and triangles");
   command->add_option("--trace", o->trace, "write a waveform, .fst (one scene, one method)");
   command->add_option("--json", o->json, "write the numbers");
   command->add_option("--jobs", o->jobs, "threads")
@@ -114,7 +122,8 @@ void AddBench(CLI::App* app, Options* o, Words* w) {
   bench->add_flag("--quick", o->quick, "small pictures, about a minute on two cores");
   bench->add_flag("--fresh", o->fresh, "forget what an earlier run left in the folder");
   bench->add_option("--synthesis", o->synthesis, "areas, from scripts/synth.sh --json")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->each([o](const std::string&) { o->synthesis_given = true; });
   bench->add_option("--markdown", o->markdown, "write the tables of docs/results.md");
   bench->add_option("--jobs", o->jobs, "threads")->capture_default_str()->check(CLI::Range(1, 256));
   bench->add_flag("--quiet", o->quiet, "print errors only");
@@ -136,8 +145,9 @@ void AddStress(CLI::App* app, Options* o) {
   stress->footer(
       "Example: shadesim stress --quick --out stress\nExit status 1: a bound is broken.");
   stress->add_option("--out", o->out, "folder for report.html, stress.json and the worst cases");
-  stress->add_option("--seed", o->seed, "of the search")->capture_default_str();
+  AddSeed(stress, o, "of the search");
   stress->add_flag("--quick", o->quick, "under a minute on two cores");
+  stress->add_flag("--fresh", o->fresh, "forget what a run that was stopped left in the folder");
   stress->add_option("--narrow", o->narrow,
                      "a UNIT or all with one bit less than stated: must break");
   stress->add_option("--replay", o->replay, "a file UNIT.worst.jsonl again");
@@ -161,7 +171,7 @@ void FinishBench(const Words& w, Options* o) {
 }
 
 void Finish(const Words& w, Options* o) {
-  o->methods = Methods(w.method);
+  o->methods = MethodList(w.method);
   o->lanes = w.lanes;
   if (std::isnan(w.tolerance)) Refuse("--tolerance nan: give codes, 0..15.99");
   o->front_end.tolerance = Tolerance::Round(w.tolerance);
@@ -196,36 +206,6 @@ void Finish(const Words& w, Options* o) {
   if (o->command == Command::kBench) FinishBench(w, o);
 }
 
-void Check(const Options& o) {
-  if (o.command == Command::kList || o.command == Command::kStress) return;
-  if (o.scenes.empty() && o.random == 0) {
-    Refuse(o.command == Command::kVerify ? "name a SCENE or --random N" : "name a SCENE");
-  }
-  if (!o.scenes.empty() && o.random > 0) Refuse("take a SCENE or --random N, not both");
-  const bool one_run = o.scenes.size() == 1 && o.OneMethod();
-  if (!o.trace.empty() && !one_run) Refuse("--trace takes one SCENE and one --method");
-  if (!o.trace.empty() && std::filesystem::path(o.trace).extension() != ".fst") {
-    Refuse(fmt::format("--trace writes .fst files, not '{}'", o.trace));
-  }
-  if (!o.trace.empty() && o.engine != Engine::kRtl) Refuse("--trace needs --engine rtl");
-  const bool paper = o.OneMethod() && o.methods[0] == Method::kSlerpPaper;
-  if (o.fraction_bits != Quantity::kFraction && !(paper && o.engine == Engine::kModel)) {
-    Refuse("--fraction-bits below 38 takes --method slerp-paper and --engine model");
-  }
-  if (!o.error_map.empty() && !one_run) Refuse("--error-map takes one SCENE and one --method");
-  if (!o.triangles_out.empty() && o.scenes.size() != 1) Refuse("--triangles-out takes one SCENE");
-  std::vector<std::string> files = o.scenes;
-  for (const std::string& out :
-       {o.image, o.error_map, o.json, o.csv, o.trace, o.triangles_out, o.markdown}) {
-    if (out.empty()) continue;
-    if (std::find(files.begin(), files.end(), out) != files.end()) {
-      Refuse(fmt::format("{} would be overwritten: give each file its own name", out));
-    }
-    files.push_back(out);
-  }
-  o.Sink();
-}
-
 }  // namespace
 
 std::optional<Options> ParseOptions(int argc, char** argv) {
@@ -245,6 +225,7 @@ std::optional<Options> ParseOptions(int argc, char** argv) {
   AddStress(&app, &o);
   AddList(&app, &o);
 
+  CheckCommand(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -252,7 +233,7 @@ std::optional<Options> ParseOptions(int argc, char** argv) {
     return std::nullopt;
   }
   Finish(w, &o);
-  Check(o);
+  CheckOptions(o);
   return o;
 }
 

@@ -21,22 +21,24 @@ struct Options {
   std::vector<std::string> scenes;
   std::vector<Method> methods;
   Engine engine = Engine::kRtl;
-  int lanes = 1;  // pixels per cycle
+  int lanes = 1;                            // pixels per cycle
   int fraction_bits = Quantity::kFraction;  // of slerp-paper
   FrontEndOptions front_end;                // tolerance, subdivision
   ViewOptions view;
   bool view_given = false;  // an option that a packet file decides by itself
   std::string backpressure = "none";
+  bool backpressure_given = false;
   uint32_t seed = 1;
   int64_t random = 0;  // triangles of verify --random
   int jobs = 1;
   bool quiet = false;
-  std::string narrow, replay;                    // of stress
+  std::string narrow, replay;  // of stress
   std::string image, error_map, trace, json, csv, triangles_out;
-  std::string out, markdown;                     // of bench
-  std::string synthesis = "build/synth.json";    // what scripts/synth.sh wrote
+  std::string out, markdown;                   // of bench
+  std::string synthesis = "build/synth.json";  // what scripts/synth.sh wrote
+  bool synthesis_given = false;                // then it must be there
   bool quick = false, fresh = false;
-  std::string command_line;                      // as given, for reports
+  std::string command_line;  // as given, for reports
 
   bool OneMethod() const { return methods.size() == 1; }
   // In which cycles pixels are taken.

@@ -5,6 +5,8 @@
 #include <exception>
 
 #include "sim/commands/commands.h"
+#include "sim/option_checks.h"
+#include "sim/option_words.h"
 #include "sim/options.h"
 
 namespace {
@@ -28,9 +30,11 @@ int Run(const shading::sim::Options& options) {
 int main(int argc, char** argv) {
   try {
     const auto options = shading::sim::ParseOptions(argc, argv);
-    return options ? Run(*options) : 0;
+    if (!options) return 0;
+    shading::sim::CheckOutputs(*options);
+    return Run(*options);
   } catch (const CLI::Error& error) {
-    fmt::print(stderr, "shadesim: {}; see shadesim --help\n", error.what());
+    fmt::print(stderr, "shadesim: {}; see {}\n", error.what(), shading::sim::HelpOf(argc, argv));
   } catch (const std::exception& error) {
     fmt::print(stderr, "shadesim: {}\n", error.what());
   }

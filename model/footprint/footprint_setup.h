@@ -41,8 +41,8 @@ class FootprintSetup {
       0,
       "normals S1.22, weights U1.22, edge functions",
       "vertices S1.22, offsets S1.38, barycentrics S3.28",
-      0.25,
-      "roots of the samples' second moments, in ulp of S1.28; triangles of 3 pixels and more"};
+      0.5,
+      "roots of the samples' second moments, in ulp of S1.28; edges of 3 pixels and more"};
 
   struct Options {
     FootprintForm form = FootprintForm::kSeamless;

@@ -15,8 +15,8 @@
 //           group. The division of later segments and the set-up of later spans run meanwhile.
 // Streams   ready/valid; run_valid_o: the pixels of run_o begin in the next cycle.
 // Formats   ends S1.30, limit U0.30, lines S1.38, pixels S1.24, rounded half up.
-// Error     AdaptiveSphere up to 120 degrees: N.L and (N.H)^n, n <= 256, within the tolerance
-//           behind the limit + 0.05 codes of slerp. RTL = model on every pixel.
+// Error     AdaptiveSphere up to 90 degrees: N.L and (N.H)^n, n <= 256, within the tolerance
+//           behind the limit + 0.009 codes of slerp; up to 120, 0.036. RTL = model on every pixel.
 // Bad input angles above 120 degrees count as 120.
 // Model     model/normal/adaptive_normalizer.h     Doc  docs/units/normal/adaptive_normalizer.md
 module adaptive_normalizer

@@ -74,9 +74,17 @@ std::optional<double> Synthesis::Area(Method method, int lanes) const {
 
 std::optional<Synthesis> ReadSynthesis(const std::string& path) {
   if (!std::filesystem::exists(path)) return std::nullopt;
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error(
+        fmt::format("{}: is a folder; give the file that scripts/synth.sh --json wrote", path));
+  }
   std::ifstream file(path);
   try {
     return Parse(Json::parse(file));
+  } catch (const Json::parse_error& error) {
+    throw std::runtime_error(
+        fmt::format("{0}: not JSON at byte {1}; write it again by scripts/synth.sh --json {0}",
+                    path, error.byte));
   } catch (const std::exception& error) {
     std::string reason = error.what();
     for (char& c : reason) c = c == '\n' ? ' ' : c;

@@ -63,10 +63,7 @@ class Bench {
     Journal journal((out_ / "bench-cells.jsonl").string(),
                     fmt::format("{} {}", ProgramFingerprint(), options_.quick ? "quick" : "full"),
                     options_.fresh);
-    if (journal.kept() > 0 && !options_.quiet) {
-      fmt::print("kept {} of {} measurements of {}; --fresh measures anew\n", journal.kept(),
-                 keys_.size() + results_.curves.size(), (out_ / "bench-cells.jsonl").string());
-    }
+    PrintKept(journal);
     Progress progress("bench", static_cast<int64_t>(keys_.size() + results_.curves.size()),
                       options_.quiet);
     ParallelFor(options_.jobs, static_cast<int>(keys_.size() + results_.curves.size()), [&](int i) {
@@ -86,6 +83,10 @@ class Bench {
   // Everything that can be refused before the work begins.
   void Prepare() {
     results_.synthesis = ReadSynthesis(options_.synthesis);
+    if (options_.synthesis_given && !results_.synthesis) {
+      throw std::runtime_error(fmt::format(
+          "{0}: no such file; scripts/synth.sh --json {0} writes it", options_.synthesis));
+    }
     results_.synthesis_note = fmt::format(
         "Not synthesised: no {}; scripts/synth.sh --json writes it", options_.synthesis);
     for (const std::string& scene : options_.scenes) {
@@ -134,10 +135,30 @@ class Bench {
     }
   }
 
+  std::string CellId(size_t at) const {
+    return fmt::format("{} packets={}", keys_[at].Text(), fingerprints_[frame_of_[at]]);
+  }
+  static std::string CurveId(const SpanCurve& curve) {
+    return fmt::format("spans {} lanes={}", Name(curve.method), curve.lanes);
+  }
+
+  // What an earlier run left of this run's work; it may have done more.
+  void PrintKept(const Journal& journal) const {
+    size_t cells = 0, curves = 0;
+    for (size_t at = 0; at < keys_.size(); ++at) cells += journal.Find(CellId(at)).has_value();
+    for (const SpanCurve& curve : results_.curves) {
+      curves += journal.Find(CurveId(curve)).has_value();
+    }
+    if (cells + curves == 0 || options_.quiet) return;
+    fmt::print("kept {} of {} measurements and {} of {} curves of {}; --fresh measures anew\n",
+               cells, keys_.size(), curves, results_.curves.size(),
+               (out_ / "bench-cells.jsonl").string());
+  }
+
   void RunCell(size_t at, Journal* journal) {
     const CellKey& key = keys_[at];
     const size_t f = frame_of_[at];
-    const std::string id = fmt::format("{} packets={}", key.Text(), fingerprints_[f]);
+    const std::string id = CellId(at);
     if (const auto kept = journal->Find(id)) {
       results_.cells[at] = CellFromJson(*kept);
       return;
@@ -150,7 +171,7 @@ class Bench {
 
   void RunCurve(size_t at, Journal* journal) {
     SpanCurve& curve = results_.curves[at];
-    const std::string id = fmt::format("spans {} lanes={}", Name(curve.method), curve.lanes);
+    const std::string id = CurveId(curve);
     if (const auto kept = journal->Find(id)) {
       curve = CurveFromJson(*kept);
       return;
@@ -191,8 +212,9 @@ class Bench {
     WriteWhole(out_ / "report.html", page);
     if (!options_.markdown.empty()) WriteWhole(options_.markdown, BenchMarkdown(results_, claims));
     if (options_.quiet) return;
-    fmt::print("{} measurements; {}, bench.json, bench.csv\n",
-               keys_.size() + results_.curves.size(), (out_ / "report.html").string());
+    fmt::print("{} measurements, {} curves of cycles by length; {}, bench.json, bench.csv{}{}\n",
+               keys_.size(), results_.curves.size(), (out_ / "report.html").string(),
+               options_.markdown.empty() ? "" : ", ", options_.markdown);
     if (!results_.synthesis) fmt::print("{}\n", results_.synthesis_note);
   }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "model/contracts.h"
 #include "sim/commands/commands.h"
@@ -40,6 +41,21 @@ constexpr const char* kMethodText[] = {
     "the same in the paper's enlarged triangle: samples outside it are excluded",
     "each triangle by the cheapest method that is sure to stay within --tolerance of phong"};
 
+// A bound is in ulp of the output, unless what it is valid for says codes.
+struct Bound {
+  const char* unit;
+  std::string_view valid_for;
+};
+Bound BoundOf(const UnitContract& contract) {
+  const std::string_view valid_for = contract.valid_for;
+  for (const std::string_view start : {"in codes, ", "codes "}) {
+    if (valid_for.substr(0, start.size()) == start) {
+      return {"codes", valid_for.substr(start.size())};
+    }
+  }
+  return {"ulp", valid_for};
+}
+
 void PrintTables() {
   fmt::print("Methods\n");
   for (const Method method : kAllMethods) {
@@ -51,8 +67,9 @@ void PrintTables() {
   for (const UnitContract& unit : kContracts) {
     fmt::print("  {:22} {:9} latency {} interval {} in: {}; out: {}\n", unit.name, unit.group,
                unit.latency_cycles, unit.interval_cycles, unit.input, unit.output);
-    fmt::print("  {:22} {:9} error <= {:.8g} ulp, {}\n", "", "", unit.max_error_ulp,
-               unit.valid_for);
+    const Bound bound = BoundOf(unit);
+    fmt::print("  {:22} {:9} error <= {:.8g} {}, {}\n", "", "", unit.max_error_ulp, bound.unit,
+               bound.valid_for);
   }
   fmt::print("\nBuilt-in scenes: builtin:NAME or builtin:NAME:N\n");
   for (const BuiltinScene& scene : kBuiltinScenes) {
@@ -74,6 +91,7 @@ void WriteTables(const std::string& path) {
                              {"input", unit.input},
                              {"output", unit.output},
                              {"max_error_ulp", unit.max_error_ulp},
+                             {"error_unit", BoundOf(unit).unit},
                              {"valid_for", unit.valid_for}});
   }
   for (const BuiltinScene& scene : kBuiltinScenes) {

@@ -56,6 +56,19 @@ std::string PictureName(const Options& options, size_t scene, Method method) {
   return (path.parent_path() / (stem + path.extension().string())).string();
 }
 
+// What was written beside the pictures.
+void PrintFiles(const Options& options) {
+  const auto print = [](const char* what, const std::string& file) {
+    if (!file.empty()) fmt::print("  {}: {}\n", what, file);
+  };
+  print("error map", options.error_map);
+  print("numbers", options.json);
+  print("triangles", options.triangles_out);
+  print("waveform", options.trace);
+  if (options.trace.empty()) return;
+  print("view of it", std::filesystem::path(options.trace).replace_extension(".gtkw").string());
+}
+
 }  // namespace
 
 int Render(const Options& options) {
@@ -80,6 +93,7 @@ int Render(const Options& options) {
   for (size_t i = 0; i < runs.size(); ++i) {
     fmt::print("{}\n  picture: {}\n", Summary(runs[i]), pictures[i]);
   }
+  PrintFiles(options);
   return 0;
 }
 

@@ -6,8 +6,12 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "sim/bench/fingerprint.h"
+#include "sim/bench/journal.h"
 #include "sim/commands/commands.h"
 #include "sim/io/atomic_file.h"
+#include "sim/io/packet_file.h"
+#include "sim/machine.h"
 #include "sim/parallel.h"
 #include "sim/progress.h"
 #include "sim/stress/stress_page.h"
@@ -18,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using stress::Check;
 using stress::Finding;
+using stress::Part;
 
 void WriteWhole(const fs::path& path, const std::string& text) {
   AtomicFile file(path.string());
@@ -25,21 +30,9 @@ void WriteWhole(const fs::path& path, const std::string& text) {
   file.Commit();
 }
 
-// Without a unit that is narrowed all are searched; with one only that, or all of them narrowed.
-std::vector<Finding> Plan(const std::string& narrow) {
-  std::vector<Finding> plan;
-  for (const Check& check : stress::AllChecks()) {
-    if (narrow.empty() || narrow == "all" || narrow == check.unit)
-      plan.push_back({check, {}, narrow.empty() ? 0 : 1});
-  }
-  if (plan.empty())
-    throw std::runtime_error(
-        fmt::format("--narrow {}: no unit of that name is searched; see docs/stress.md", narrow));
-  return plan;
-}
-
-int64_t Evaluations(const Check& check, bool quick) {
-  return std::max<int64_t>((quick ? 1000000 : 20000000) / check.cost, 24);
+// "codes", or "x 2^-24".
+std::string UnitOf(const Check& check) {
+  return check.ulp == std::string("codes") ? "codes" : fmt::format("x {}", check.ulp);
 }
 
 int Replay(const std::string& path) {
@@ -59,7 +52,7 @@ int Replay(const std::string& path) {
       for (const auto& operand : text["operands"]) genes.push_back(operand.value("value", 0.0));
       if (genes.size() != check.genes.size()) break;
       const double error = check.error(genes, text.value("narrow", 0));
-      fmt::print("{}: {:.6g} of {:.6g} x {}\n", check.unit, error, check.bound, check.ulp);
+      fmt::print("{}: {:.6g} of {:.6g} {}\n", check.unit, error, check.bound, UnitOf(check));
       broken += error > check.bound;
       found = true;
     }
@@ -71,52 +64,87 @@ int Replay(const std::string& path) {
   return broken > 0;
 }
 
+// The folder of the results, made when it is not there.
+fs::path Folder(const std::string& name) {
+  std::error_code error;
+  fs::create_directories(name, error);
+  if (error || !fs::is_directory(name))
+    throw std::runtime_error(fmt::format("{}: not a folder and cannot be made one", name));
+  return name;
+}
+
+// Runs the parts that an earlier run did not finish, then takes all of them.
+void RunParts(const Options& options, const fs::path& out, const std::vector<Part>& parts) {
+  const std::string file = (out / "stress-parts.jsonl").string();
+  Journal journal(file,
+                  fmt::format("{} {} seed {} {}", ProgramFingerprint(),
+                              options.quick ? "quick" : "full", options.seed, options.narrow),
+                  options.fresh || options.quick);
+  if (journal.kept() > 0 && !options.quiet)
+    fmt::print("kept {} of {} parts of {}; --fresh searches anew\n", journal.kept(), parts.size(),
+               file);
+  std::vector<stress::PartJson> done(parts.size());
+  Progress progress("stress", static_cast<int64_t>(parts.size()), options.quiet);
+  ParallelFor(options.jobs, static_cast<int>(parts.size()), [&](int k) {
+    const auto i = static_cast<size_t>(k);
+    if (const auto kept = journal.Find(parts[i].id)) {
+      done[i] = *kept;
+    } else {
+      done[i] = parts[i].run();
+      journal.Append(parts[i].id, done[i]);
+    }
+    progress.Step();
+  });
+  for (size_t i = 0; i < parts.size(); ++i) parts[i].take(done[i]);
+}
+
+void WriteCase(const fs::path& out, const Finding& f, uint32_t seed) {
+  WriteWhole(out / (f.check.unit + ".worst.jsonl"), stress::WorstLine(f, seed) + "\n");
+  if (!f.check.triangle || f.worst.genes.empty()) return;
+  if (const auto list = f.check.triangle(f.worst.genes))
+    WritePackets((out / (f.check.unit + ".worst.triangles.jsonl")).string(), *list);
+}
+
+void Print(const stress::StressResults& results, bool quiet) {
+  for (const Finding& f : results.findings) {
+    if (quiet && !f.Broken()) continue;
+    fmt::print("{:22} {:>12.6g} of {:>10.6g} {:30} {:6.3g} {}\n", f.check.unit, f.worst.error,
+               f.check.bound, UnitOf(f.check), f.Share(), f.Broken() ? "BROKEN" : "");
+  }
+  for (const stress::Condition& c : results.conditions) {
+    if (quiet && !c.Broken()) continue;
+    fmt::print("{:.4g} of {:.4g}: {}: {} {}\n", c.worst, c.limit, c.scene, c.measure,
+               c.Broken() ? "BROKEN" : "");
+  }
+}
+
 }  // namespace
 
 int Stress(const Options& options) {
   if (!options.replay.empty()) return Replay(options.replay);
   if (options.out.empty())
     throw std::runtime_error("stress: --out DIR or --replay FILE is required");
-  const fs::path out = options.out;
-  std::error_code error;
-  fs::create_directories(out, error);
-  if (error || !fs::is_directory(out))
-    throw std::runtime_error(fmt::format("{}: not a folder and cannot be made one", options.out));
   stress::StressResults results;
   results.version = SHADESIM_VERSION;
   results.command = options.command_line;
+  results.machine = DescribeMachine();
   results.seed = options.seed;
-  results.findings = Plan(options.narrow);
-  const int count = static_cast<int>(results.findings.size());
-  const bool plots = options.narrow.empty();
-  Progress progress("stress", count + 3 * plots, options.quiet);
-  ParallelFor(options.jobs, count + 3 * plots, [&](int i) {
-    if (i < count) {
-      Finding& f = results.findings[static_cast<size_t>(i)];
-      f.worst = stress::Search(f.check, Evaluations(f.check, options.quick),
-                               options.seed + static_cast<uint32_t>(i), f.narrow);
-    } else if (i == count) {
-      results.growth = stress::GrowthCurves(options.quick);
-    } else {
-      auto& map = i == count + 1 ? results.slerp : results.paper;
-      map = stress::HeatMap(i != count + 1, i == count + 1 ? 38 : 20, options.quick);
-    }
-    progress.Step();
-  });
-  int broken = 0;
-  for (const Finding& f : results.findings) {
-    WriteWhole(out / (f.check.unit + ".worst.jsonl"), stress::WorstLine(f, options.seed) + "\n");
-    broken += f.Broken();
-    if (options.quiet && !f.Broken()) continue;
-    fmt::print("{:22} {:>12.6g} of {:>10.6g} x {:28} {:6.3f} {}\n", f.check.unit, f.worst.error,
-               f.check.bound, f.check.ulp, f.Share(), f.Broken() ? "BROKEN" : "");
-  }
+  results.quick = options.quick;
+  const std::vector<Part> parts = stress::PartsOf(options.narrow, &results);
+  if (parts.empty())
+    throw std::runtime_error(fmt::format(
+        "--narrow {}: no unit of that name is searched; see docs/stress.md", options.narrow));
+  const fs::path out = Folder(options.out);
+  RunParts(options, out, parts);
+  for (const Finding& f : results.findings) WriteCase(out, f, options.seed);
   WriteWhole(out / "stress.json", stress::StressJson(results).dump(1) + "\n");
   WriteWhole(out / "report.html", stress::StressPage(results));
+  Print(results, options.quiet);
   if (!options.quiet)
-    fmt::print("{} of {} bounds broken; seed {}; {}\n", broken, count, options.seed,
+    fmt::print("{} broken of {} bounds and {} conditions; seed {}; {}\n", results.Broken(),
+               results.findings.size(), results.conditions.size(), options.seed,
                (out / "report.html").string());
-  return broken > 0;
+  return results.Broken() > 0;
 }
 
 }  // namespace shading::sim

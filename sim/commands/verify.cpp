@@ -60,14 +60,24 @@ class Verifier {
     const bool good = std::all_of(runs_.begin(), runs_.end(), [](const RunStats& run) {
       return run.comparison->Good() && run.comparison->pixels_compared == run.counters.pixels;
     });
+    const auto empty = std::find_if(runs_.begin(), runs_.end(), [](const RunStats& run) {
+      return run.comparison->pixels_compared == 0;
+    });
     if (!options_.json.empty()) WriteJson(options_.json, runs_);
     if (!options_.quiet) {
       for (const RunStats& run : runs_) fmt::print("{}\n", Summary(run));
-      fmt::print("{}\n", good ? "PASS: RTL = model on every pixel and every cycle"
-                              : "FAIL: RTL and model differ");
+      if (!good) {
+        fmt::print("FAIL: RTL and model differ\n");
+      } else if (empty == runs_.end()) {
+        fmt::print("PASS: RTL = model on every pixel and every cycle\n");
+      }
+    }
+    if (empty != runs_.end()) {
+      fmt::print(stderr, "shadesim: {} {}: covers no pixel, nothing was compared; {}\n",
+                 empty->scene, empty->method, random() ? "raise --random" : "turn or enlarge it");
     }
     if (failed_) fmt::print(stderr, "{}", FirstDifference());
-    return good ? 0 : 1;
+    return good && empty == runs_.end() ? 0 : 1;
   }
 
  private:

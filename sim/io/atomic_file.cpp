@@ -41,6 +41,13 @@ fs::path Resolve(const std::string& path) {
 
 }  // namespace
 
+void CheckWritable(const std::string& path) {
+  std::error_code ignored;
+  const bool special = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) &&
+                       !fs::is_directory(path, ignored);
+  if (!special && !IsBelowDev(path)) AtomicFile file(path);
+}
+
 AtomicFile::AtomicFile(const std::string& path) : path_(path) {
   std::error_code ignored;
   target_ = IsBelowDev(path) ? fs::path(path) : Resolve(path);

@@ -30,4 +30,7 @@ class AtomicFile {
   std::ofstream stream_;
 };
 
+// Throws what AtomicFile would, before the work that FILE is for. Pipes and devices are not opened.
+void CheckWritable(const std::string& path);
+
 }  // namespace shading::sim

@@ -96,8 +96,10 @@ std::string EncodePng(const Image& image) {
 void CheckImageExtension(const std::string& path) {
   const std::string extension = Extension(path);
   if (Contains(kCodeExtensions, extension) || Contains(kFloatExtensions, extension)) return;
-  Fail(path, fmt::format("no picture format '.{}'; use one of: {} {}", extension,
-                         fmt::join(kCodeExtensions, " "), fmt::join(kFloatExtensions, " ")));
+  const std::string what =
+      extension.empty() ? "no extension" : fmt::format("no picture format '.{}'", extension);
+  Fail(path, fmt::format("{}; use one of: {} {}", what, fmt::join(kCodeExtensions, " "),
+                         fmt::join(kFloatExtensions, " ")));
 }
 
 void WriteImage(const std::string& path, const Image& image) {

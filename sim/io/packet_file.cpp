@@ -47,6 +47,9 @@ bool IsBlank(const std::string& line) { return line.find_first_not_of(" \t\r") =
 }  // namespace
 
 TriangleList ReadPackets(const std::string& path) {
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error(fmt::format("{}: is a folder; give a file of packets", path));
+  }
   if (!std::filesystem::exists(path)) {
     throw std::runtime_error(fmt::format("{}: no such file; check the path", path));
   }

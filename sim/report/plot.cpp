@@ -21,6 +21,14 @@ struct Range {
   Range OrDefault() const { return low <= high ? *this : Range{1, 10}; }
 };
 
+// Short enough for the margin: powers of ten far from 1 with an exponent.
+std::string TickText(double tick) {
+  const double size = std::abs(tick);
+  if (size == 0 || (size >= 1e-3 && size < 1e5)) return Significant(tick);
+  const int exponent = static_cast<int>(std::floor(std::log10(size) + 1e-9));
+  return fmt::format("{:.3g}e{}", tick / std::pow(10, exponent), exponent);
+}
+
 }  // namespace
 
 bool Plot::Drawable(double x, double y) const {
@@ -44,7 +52,7 @@ Plot::Drawing Plot::Begin() const {
   }
   x = x.OrDefault();
   y = y.OrDefault();
-  const Box frame = {48, 24, width_ - right, height_ - 38.0};
+  const Box frame = {56, 24, width_ - right, height_ - 38.0};
   return {frame, Scale(x.low, x.high, x_.logarithmic, frame.left, frame.right),
           Scale(y.low, y.high, y_.logarithmic, frame.bottom, frame.top), ""};
 }
@@ -56,7 +64,7 @@ void Plot::DrawAxes(Drawing* d) const {
   };
   for (const double tick : d->x.Ticks(many(f.right - f.left, 42))) {
     const double at = d->x(tick);
-    const std::string text = Significant(tick);
+    const std::string text = TickText(tick);
     d->svg += fmt::format(
         "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text class=\"soft\" x=\"{3:.1f}\" y=\"{4}\" "
         "text-anchor=\"middle\">{5}</text>\n",
@@ -68,7 +76,7 @@ void Plot::DrawAxes(Drawing* d) const {
     d->svg += fmt::format(
         "<path class=\"grid\" d=\"M{0} {1:.1f}H{2}\"/><text class=\"soft\" x=\"{3}\" y=\"{4:.1f}\" "
         "text-anchor=\"end\">{5}</text>\n",
-        f.left, at, f.right, f.left - 5, at + 4, Significant(tick));
+        f.left, at, f.right, f.left - 5, at + 4, TickText(tick));
   }
   d->svg +=
       fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",

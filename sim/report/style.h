@@ -15,7 +15,7 @@ inline constexpr char kStyle[] = R"css(
   --c0:#666; --c1:#1f63c4; --c2:#c4540a; --c3:#1d7f3f; --c4:#8038b0; --c5:#0b7d85; --c6:#b8241c;
   --c7:#7d6214; --muted:#bbb; --link:#000; } nav { display:none; }
   figure, tr, h2, h3 { break-inside:avoid; } h2, h3 { break-after:avoid; }
-  .scroll { max-height:none !important; overflow:visible !important; } }
+  .scroll, .long { max-height:none !important; overflow:visible !important; } }
 * { box-sizing:border-box; }
 body { margin:0; background:var(--ground); color:var(--text);
   font:15px/1.5 system-ui, "Segoe UI", "Liberation Sans", sans-serif; }

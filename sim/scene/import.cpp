@@ -28,6 +28,9 @@ std::string LowerExtension(const std::string& path) {
 
 // The scene stays the importer's.
 const aiScene& ReadFile(const std::string& path, Assimp::Importer* importer) {
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error(fmt::format("{}: is a folder; give a mesh file", path));
+  }
   if (!std::filesystem::is_regular_file(path)) {
     throw std::runtime_error(fmt::format("{}: no such file; check the path", path));
   }

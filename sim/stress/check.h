@@ -4,8 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "model/triangle_packet.h"
+#include "model/unit_contract.h"
 
 namespace shading::stress {
 
@@ -24,8 +28,10 @@ struct Check {
   std::vector<std::string> genes;
   std::function<double(const Genes&, int narrow)> error;
   std::vector<Genes> starts;  // directed
-  int cost = 1;               // about microseconds of an evaluation
-  double blind = 0.5;         // a search that finds less of the bound is blind
+  // The triangle of the operands, for units that set up triangles; nullopt where they make none.
+  std::function<std::optional<TriangleList>(const Genes&)> triangle;
+  int cost = 1;        // about microseconds of an evaluation
+  double blind = 0.5;  // a search that finds less of the bound is blind
 };
 
 // Units without a check, and why.
@@ -33,8 +39,19 @@ struct Exempt {
   std::string unit, reason;
 };
 
+Check CheckOf(const UnitContract& unit, const std::string& ulp, const std::string& narrowed);
+
 std::vector<Check> RecurrenceChecks();
-std::vector<Check> OperandChecks();
+std::vector<Check> QuadChecks();
+std::vector<Check> NormalChecks();  // units that normalise and turn normals
+std::vector<Check> SetupChecks();   // set-up of spans of normals
+std::vector<Check> LightChecks();
+std::vector<Check> VertexChecks();    // whole lights: of a vertex, of a pixel, of a footprint
+std::vector<Check> TriangleChecks();  // set-up of triangles
+std::vector<Check> TriangleNormalChecks();
+std::vector<Check> PieceChecks();  // of a triangle: subdivision, footprints
+// span_normals of N1 near -N0: up to 170 degrees, or beyond, as a part of what is allowed there.
+Check OpposedNormals(bool beyond);
 std::vector<Check> AllChecks();
 std::vector<Exempt> Exemptions();
 
@@ -49,6 +66,10 @@ inline int64_t RoundNarrow(Real value, int fraction_bits, int narrow) {
 inline int64_t Narrowed(int64_t raw, int narrow) {
   return narrow == 0 ? raw
                      : ((raw + (int64_t{1} << (narrow - 1))) >> narrow) * (int64_t{1} << narrow);
+}
+// The largest so far; what is no number counts as infinite.
+inline void Raise(Real* worst, Real off) {
+  if (!(off <= *worst)) *worst = std::isnan(off) ? HUGE_VALL : off;
 }
 inline double Between(double low, double high, double gene) { return low + (high - low) * gene; }
 // Even in the logarithm.

@@ -5,34 +5,29 @@
 
 #include <algorithm>
 
-#include "model/normal/slerp_paper.h"
-#include "sim/stress/narrow_recurrence.h"
+#include "sim/stress/narrow_paper.h"
+#include "sim/stress/quad_drift.h"
 
 namespace shading::stress {
 namespace {
 
-enum class Form { kReinsch, kReinschTruncated, kPaper };
+template <typename Unit>
+double WorstPixel(Unit unit, const Arc& arc, int bits, int pixels) {
+  Real worst = 0;
+  for (int t = 0; t < pixels; ++t, unit.Step())
+    Raise(&worst, std::abs(std::ldexp(static_cast<Real>(unit.value()), -bits) - arc.At(t)));
+  return static_cast<double>(255 * worst);
+}
 
 // The largest error of the pixels up to the last, in codes.
 double WorstOfArc(Form form, const Arc& arc, int bits, int pixels) {
-  Real worst = 0;
-  const auto note = [&](Real value, int t) {
-    worst = std::max(worst, std::abs(value - arc.At(t)));
-  };
-  if (form == Form::kPaper) {
-    const std::array<QuantitySeed, kMaxLanes> seed = {
-        QuantitySeed{Quantity::Wrap(RoundTo(arc.At(0), 38)),
-                     Quantity::Wrap(RoundTo(arc.FirstDifference(), 38))}};
-    SlerpPaper unit(seed, {KappaOf(arc.phi), KappaOf(2 * arc.phi)}, 1, bits);
-    for (int t = 0; t < pixels; ++t, unit.Step())
-      note(std::ldexp(static_cast<Real>(unit.value().raw()), -38), t);
-  } else {
-    NarrowRecurrence unit(arc, bits, form == Form::kReinschTruncated);
-    for (int t = 0; t < pixels; ++t, unit.Step())
-      note(std::ldexp(static_cast<Real>(unit.value()), -bits), t);
-  }
-  return static_cast<double>(255 * worst);
+  const bool truncate = form == Form::kScaledTruncated || form == Form::kPaperTruncated;
+  return form == Form::kPaper || form == Form::kPaperTruncated
+             ? WorstPixel(NarrowPaper(arc, bits, truncate), arc, bits, pixels)
+             : WorstPixel(NarrowRecurrence(arc, bits, truncate), arc, bits, pixels);
 }
+
+}  // namespace
 
 double WorstOfTurn(Form form, double degrees, int bits, int pixels, int phases) {
   const Real turn = kPi / 180 * static_cast<Real>(degrees);
@@ -45,8 +40,6 @@ double WorstOfTurn(Form form, double degrees, int bits, int pixels, int phases) 
   }
   return worst;
 }
-
-}  // namespace
 
 std::vector<Growth> GrowthCurves(bool quick) {
   std::vector<Growth> curves;
@@ -61,21 +54,31 @@ std::vector<Growth> GrowthCurves(bool quick) {
     curves.push_back(growth);
   };
   for (const int bits : {14, 20, 26, 32, 38}) {
-    add(Form::kReinsch, "slerp_recurrence, nearest", bits);
-    add(Form::kReinschTruncated, "slerp_recurrence, floor", bits);
+    add(Form::kScaled, "slerp_recurrence, nearest", bits);
+    add(Form::kScaledTruncated, "slerp_recurrence, truncated", bits);
     add(Form::kPaper, "slerp_paper, nearest", bits);
+    add(Form::kPaperTruncated, "slerp_paper, truncated", bits);
+  }
+  // Second order, start values and coefficients rounded to nearest; (2) is rounded as (3) is.
+  for (const int bits : {20, 26}) {
+    for (const accuracy::DriftForm& form : accuracy::DriftForms()) {
+      if (form.name.find("(2)") != std::string::npos) continue;
+      Growth growth{form.name, bits, {}, "003"};
+      for (int pixels = 4; pixels <= 4096; pixels *= quick ? 4 : 2)
+        growth.points.emplace_back(pixels, accuracy::WorstDrift(form, bits, pixels - 1));
+      curves.push_back(growth);
+    }
   }
   return curves;
 }
 
-std::vector<Heat> HeatMap(bool paper, int fraction_bits, bool quick) {
+std::vector<Heat> HeatMap(Form form, int fraction_bits, bool quick) {
   std::vector<Heat> cells;
   for (const double degrees :
        {0.001, 0.01, 0.1, 1.0, 5.0, 15.0, 30.0, 60.0, 90.0, 120.0, 150.0, 170.0, 179.9}) {
     for (int pixels = 4; pixels <= 4096; pixels *= 2) {
-      cells.push_back({degrees, pixels,
-                       WorstOfTurn(paper ? Form::kPaper : Form::kReinsch, degrees, fraction_bits,
-                                   pixels, quick ? 2 : 8)});
+      cells.push_back(
+          {degrees, pixels, WorstOfTurn(form, degrees, fraction_bits, pixels, quick ? 2 : 8)});
     }
   }
   return cells;

@@ -18,8 +18,8 @@ constexpr int kRestarts = 3, kMoves = 60;
 using Row = std::vector<int64_t>;
 
 int64_t RoundToUlp(int64_t fine) { return (fine + kUlp / 2) & ~(kUlp - 1); }
-Numbers Rounded(Numbers numbers) {
-  for (int64_t& number : numbers) number = RoundToUlp(number);
+Numbers Rounded(Numbers numbers, bool truncate) {
+  for (int64_t& number : numbers) number = truncate ? number & ~(kUlp - 1) : RoundToUlp(number);
   return numbers;
 }
 
@@ -40,18 +40,18 @@ Numbers RandomNumbers(int fraction_bits, int t, std::mt19937& random) {
 }
 
 // New bits below the ulp of one number: any, or the two that round farthest.
-void Move(std::mt19937& random, Numbers* numbers) {
+void Move(bool truncate, std::mt19937& random, Numbers* numbers) {
   int64_t& number = (*numbers)[random() % 3];
   const int64_t whole = RoundToUlp(number);
   switch (random() % 3) {
-    case 0: number = whole + kUlp / 2 - 1; return;
-    case 1: number = whole - kUlp / 2; return;
+    case 0: number = whole + (truncate ? kUlp : kUlp / 2) - 1; return;
+    case 1: number = whole - (truncate ? 0 : kUlp / 2); return;
     default: number = whole - kUlp / 2 + static_cast<int64_t>(random()) % kUlp; return;
   }
 }
 
-int64_t DriftOf(const DriftForm& form, const Numbers& exact, int t) {
-  return std::abs(form.at(Rounded(exact), t) - form.at(exact, t));
+int64_t DriftOf(const DriftForm& form, const Numbers& exact, int t, bool truncate) {
+  return std::abs(form.at(Rounded(exact, truncate), t) - form.at(exact, t));
 }
 
 std::vector<DriftForm> CoefficientForms() {
@@ -124,18 +124,18 @@ std::vector<DriftForm> DriftForms() {
   return all;
 }
 
-double WorstDrift(const DriftForm& form, int fraction_bits, int t, unsigned seed) {
+double WorstDrift(const DriftForm& form, int fraction_bits, int t, unsigned seed, bool truncate) {
   std::mt19937 random(static_cast<unsigned>(fraction_bits * 10000 + t) + seed);
   int64_t worst = 0;
   for (int restart = 0; restart < kRestarts; ++restart) {
     Numbers best = form.starts(RandomNumbers(fraction_bits, t, random));
     form.tie(&best);
-    int64_t found = DriftOf(form, best, t);
+    int64_t found = DriftOf(form, best, t, truncate);
     for (int move = 0; move < kMoves; ++move) {
       Numbers next = best;
-      Move(random, &next);
+      Move(truncate, random, &next);
       form.tie(&next);
-      const int64_t drift = DriftOf(form, next, t);
+      const int64_t drift = DriftOf(form, next, t, truncate);
       if (drift < found) continue;
       best = next;
       found = drift;

@@ -27,8 +27,10 @@ struct DriftForm {
 };
 std::vector<DriftForm> DriftForms();
 
-// Largest drift at pixel t in codes, by hill-climbing over curves and their roundings to F bits.
-double WorstDrift(const DriftForm& form, int fraction_bits, int t, unsigned seed = 0);
+// Largest drift at pixel t in codes, by hill-climbing over curves and their roundings to F bits:
+// to nearest, or truncated.
+double WorstDrift(const DriftForm& form, int fraction_bits, int t, unsigned seed = 0,
+                  bool truncate = false);
 double DriftBound(const DriftForm& form, int fraction_bits, int t);
 
 // Markdown, a line a string.

@@ -43,7 +43,8 @@ Worst Search(const Check& check, int64_t evaluations, uint32_t seed, int narrow)
   std::mt19937 random(seed);
   Worst worst;
   const auto attempt = [&](const Genes& genes, Worst* best) {
-    const double error = check.error(genes, narrow);
+    double error = check.error(genes, narrow);
+    if (std::isnan(error)) error = HUGE_VAL;
     ++worst.evaluations;
     if (error > best->error) best->error = error, best->genes = genes;
   };

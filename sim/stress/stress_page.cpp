@@ -3,159 +3,137 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "sim/report/html.h"
 #include "sim/report/page.h"
-#include "sim/report/plot.h"
 #include "sim/report/table.h"
+#include "sim/stress/stress_plots.h"
 
 namespace shading::stress {
 namespace {
 
-using nlohmann::json;
-using report::Significant;
+using report::Entry;
 
-json CaseOf(const Finding& f) {
-  json genes = json::array();
-  for (size_t i = 0; i < f.worst.genes.size(); ++i)
-    genes.push_back({{"what", f.check.genes[i]}, {"value", f.worst.genes[i]}});
-  return genes;
+Entry Held(bool broken) {
+  Entry entry(broken ? "BROKEN" : "yes");
+  entry.strong = broken;
+  return entry;
 }
 
-std::string GrowthPlot(const StressResults& r, int bits) {
-  report::Plot plot(fmt::format("{} fraction bits", bits), {"pixels of a span", true},
-                    {"worst error, codes of 255", true}, 400, 320);
-  int colour = 1;
-  for (const Growth& g : r.growth) {
-    if (g.fraction_bits == bits) plot.Add(report::Line{g.points, g.form, colour++, false});
-  }
-  return plot.Svg();
-}
+// JSON's stand-in for infinity is no number to print.
+Entry Size(double value) { return value < 1e200 ? Entry(value) : Entry(value, "no number"); }
 
-// Decades of error from 1e-6 codes, pale, to 100, dark.
-std::string HeatSvg(const std::vector<Heat>& cells, const std::string& title) {
-  constexpr int kCellW = 44, kCellH = 24, kLeft = 70, kTop = 34;
-  std::vector<double> angles;
-  std::vector<int> pixels;
-  for (const Heat& c : cells) {
-    if (std::find(angles.begin(), angles.end(), c.degrees) == angles.end())
-      angles.push_back(c.degrees);
-    if (std::find(pixels.begin(), pixels.end(), c.pixels) == pixels.end())
-      pixels.push_back(c.pixels);
-  }
-  const int width = kLeft + kCellW * static_cast<int>(pixels.size());
-  const int height = kTop + kCellH * static_cast<int>(angles.size()) + 40;
-  std::string svg = fmt::format(
-      "<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\"><text class=\"title\" x=\"4\" "
-      "y=\"16\">{2}</text>",
-      width, height, report::EscapeHtml(title));
-  for (const Heat& c : cells) {
-    const auto col = std::find(pixels.begin(), pixels.end(), c.pixels) - pixels.begin();
-    const auto row = std::find(angles.begin(), angles.end(), c.degrees) - angles.begin();
-    const double part = std::clamp((std::log10(std::max(c.codes, 1e-9)) + 6) / 8, 0.0, 1.0);
-    const auto x = kLeft + kCellW * col, y = kTop + kCellH * row;
-    svg += fmt::format(
-        "<rect class=\"f6\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" opacity=\"{:.2f}\"/>", x,
-        y, kCellW - 1, kCellH - 1, 0.05 + 0.55 * part);
-    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{:.0e}</text>",
-                       x + kCellW / 2, y + 16, c.codes);
-  }
-  for (size_t i = 0; i < angles.size(); ++i)
-    svg += fmt::format("<text class=\"soft\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{:g} deg</text>",
-                       kLeft - 6, kTop + kCellH * static_cast<int>(i) + 16, angles[i]);
-  for (size_t i = 0; i < pixels.size(); ++i)
-    svg += fmt::format("<text class=\"soft\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                       kLeft + kCellW * static_cast<int>(i) + kCellW / 2, height - 24, pixels[i]);
-  return svg + fmt::format("<text class=\"soft\" x=\"{}\" y=\"{}\">pixels of a span</text></svg>",
-                           kLeft, height - 6);
-}
-
-report::Table BoundTable(const StressResults& r) {
+void Bounds(const StressResults& r, report::Page* page) {
+  page->Section("Bounds and worst cases");
+  page->Text(
+      "Each unit's stated bound against the worst case that directed, random and hill-climbing "
+      "search found. A search is no proof: found / bound near 1 shows a tight bound, above 1 a "
+      "broken one. UNIT.worst.jsonl beside this page holds the case for --replay; of units that "
+      "set up triangles, UNIT.worst.triangles.jsonl is the triangle for shadesim render and "
+      "verify.");
   report::Table table({"unit", "worst found", "bound stated", "ulp", "found / bound", "held",
                        "cases", "valid for"});
   for (const Finding& f : r.findings) {
-    table.Add({f.check.unit + (f.narrow > 0 ? " (narrowed)" : ""), f.worst.error, f.check.bound,
-               f.check.ulp, f.Share(), f.Broken() ? "BROKEN" : "yes",
-               report::Entry::Count(f.worst.evaluations), f.check.valid});
+    table.Add({f.check.unit + (f.narrow > 0 ? ": " + f.check.narrowed : ""), Size(f.worst.error),
+               f.check.bound, f.check.ulp, Entry(f.Share(), fmt::format("{:.3g}", f.Share())),
+               Held(f.Broken()), Entry::Count(f.worst.evaluations), f.check.valid});
   }
-  return table;
-}
-
-}  // namespace
-
-std::string WorstLine(const Finding& f, uint32_t seed) {
-  return json{{"format", "shadesim-stress-case"},
-              {"version", 1},
-              {"unit", f.check.unit},
-              {"narrow", f.narrow},
-              {"seed", seed},
-              {"error", f.worst.error},
-              {"bound", f.check.bound},
-              {"ulp", f.check.ulp},
-              {"operands", CaseOf(f)}}
-      .dump();
-}
-
-json StressJson(const StressResults& r) {
-  json units = json::array();
-  for (const Finding& f : r.findings) {
-    units.push_back({{"unit", f.check.unit},
-                     {"worst", f.worst.error},
-                     {"bound", f.check.bound},
-                     {"ulp", f.check.ulp},
-                     {"worst_over_bound", f.Share()},
-                     {"broken", f.Broken()},
-                     {"evaluations", f.worst.evaluations},
-                     {"narrow", f.narrow},
-                     {"valid_for", f.check.valid},
-                     {"operands", CaseOf(f)}});
-  }
-  json growth = json::array(), exempt = json::array();
-  for (const Growth& g : r.growth)
-    growth.push_back({{"form", g.form}, {"fraction_bits", g.fraction_bits}, {"points", g.points}});
-  for (const Exempt& e : Exemptions()) exempt.push_back({{"unit", e.unit}, {"reason", e.reason}});
-  return {{"version", r.version}, {"command", r.command}, {"seed", r.seed},
-          {"units", units},       {"growth", growth},     {"not_searched", exempt}};
-}
-
-std::string StressPage(const StressResults& r) {
-  report::Page page("Numerical stability",
-                    {fmt::format("shadesim {}, seed {}", r.version, r.seed), r.command});
-  page.Section("Bounds and worst cases");
-  page.Text(
-      "Each unit's stated bound against the worst case that directed, random and hill-climbing "
-      "search found. A search is no proof: found / bound near 1 shows a tight bound, above 1 a "
-      "broken one.");
-  page.Markup(BoundTable(r).Html());
-  page.Command(r.command);
-  page.Section("Units without a search here");
+  page->Markup(table.Html());
+  page->Command(r.command);
+  page->Section("Units without a search");
   report::Table rest({"unit", "why"});
   for (const Exempt& e : Exemptions()) rest.Add({e.unit, e.reason});
-  page.Markup(rest.Html());
-  if (r.growth.empty()) return page.Html();
-  page.Section("Growth of the error along a span");
-  page.Text(
-      "Worst pixel over turns of 0.01 to 150 degrees and several phases, against the closed form, "
-      "amplitude 1. "
-      "slerp_recurrence has a multiplier operand of 10 bits fewer, as the unit has.");
-  page.Figure({GrowthPlot(r, 14), GrowthPlot(r, 20), GrowthPlot(r, 26), GrowthPlot(r, 32),
-               GrowthPlot(r, 38)},
-              "Both axes are logarithmic. The paper's form grows with the square of the length.",
-              r.command);
-  page.Section("Angle against length");
-  page.Figure({HeatSvg(r.slerp, "slerp_recurrence, 38 fraction bits: worst error, codes"),
-               HeatSvg(r.paper, "slerp_paper, 20 fraction bits: worst error, codes")},
-              "0 where a step is over a quarter of a turn and was not run.", r.command);
-  page.Section("Dead zones");
-  page.Text(
+  page->Markup(rest.Html());
+}
+
+void Trouble(const StressResults& r, report::Page* page) {
+  page->Section("Scenes of trouble");
+  page->Text(
+      "Conditions that must hold where arithmetic is hard: neighbours that leave no gap, slivers "
+      "and needles, far and tiny triangles, normals that are nearly opposed, 4096 rows and then "
+      "4096 columns, clamps and registers that wrap. Naive is what an obvious shortcut gives.");
+  report::Table table({"kind", "scene", "measured", "worst", "limit", "naive", "held", "cases"});
+  for (const Condition& c : r.conditions) {
+    table.Add({c.family, c.scene, c.measure, Size(c.worst), c.limit,
+               c.naive < 0 ? Entry("") : c.naive, Held(c.Broken()), Entry::Count(c.cases)});
+  }
+  page->Markup(table.Html());
+}
+
+void Words(const StressResults& r, report::Page* page) {
+  page->Section("Word length and rounding");
+  page->Text(
+      "Worst pixel of 2048 with F fraction bits. Paper 000: unit amplitude, turns of 0.01 to 179 "
+      "degrees, products to nearest or truncated. slerp_recurrence: F bits of its multiplier's "
+      "operand, its state has 10 more. Paper 003: intensities in codes; the recurrences add, so "
+      "start values and coefficients are what is rounded or truncated. Errors beyond 255 mean a "
+      "picture of nothing.");
+  page->Figure({WordPlot(r, "to nearest", false), WordPlot(r, "truncated", true)},
+               "Half a code is 0.5: where a curve crosses it, the form has enough bits.",
+               r.command);
+  report::Table table({"form", "F", "to nearest, codes", "truncated, codes"});
+  for (const Word& w : r.words)
+    table.Add({w.form, static_cast<double>(w.bits), w.nearest, w.truncated});
+  page->Markup("<div class=\"long\">" + table.Html() + "</div>");
+  page->Subsection("Expected and measured here");
+  page->Text(
+      "Expected: another simulation of the same recurrences, the worst of its own sample of "
+      "signals; "
+      "for paper 000 and the scaled form the length of a vector's error, up to sqrt(3) times that "
+      "of "
+      "a component, which is measured here. Values of paper 003 are of one channel.");
+  report::Table references({"case", "unit", "expected", "measured here", "measured / expected"});
+  for (const Reference& f : r.references)
+    references.Add({f.what, f.unit, f.expected, f.here, f.here / f.expected});
+  page->Markup(references.Html());
+}
+
+void Growths(const StressResults& r, report::Page* page) {
+  page->Section("Growth of the error along a span");
+  page->Text(
+      "Paper 000: worst pixel over turns of 0.01 to 150 degrees and several phases, against the "
+      "closed form, amplitude 1. The multiplier of slerp_recurrence takes 10 bits less than its "
+      "state has.");
+  page->Figure(
+      {GrowthPlot(r, "000", 14), GrowthPlot(r, "000", 20), GrowthPlot(r, "000", 26),
+       GrowthPlot(r, "000", 32), GrowthPlot(r, "000", 38)},
+      "Both axes are logarithmic. Every form grows with the square of the length; the scaled one "
+      "starts from what its short operand loses.",
+      r.command);
+  page->Figure({GrowthPlot(r, "003", 20), GrowthPlot(r, "003", 26)},
+               "Paper 003: start values and coefficients to nearest, in codes; the sums are exact.",
+               r.command);
+  page->Section("Angle against length");
+  std::vector<std::string> maps;
+  for (const HeatMapOf& map : r.heat) maps.push_back(HeatSvg(map));
+  page->Figure(maps,
+               "Worst error in codes of 255. A dash: a step is over a quarter of a turn and was "
+               "not run.",
+               r.command);
+}
+
+void DeadZones(report::Page* page) {
+  page->Section("Dead zones");
+  page->Text(
       "Below these turns the bend of a step is under half an ulp and the recurrence draws a "
       "straight line.");
   report::Table dead({"fraction bits", "64 pixels, deg", "256 pixels, deg", "2048 pixels, deg"});
   for (const int bits : {10, 14, 16, 20, 26, 32, 38})
     dead.Add(
         {static_cast<double>(bits), DeadZone(bits, 64), DeadZone(bits, 256), DeadZone(bits, 2048)});
-  page.Markup(dead.Html());
+  page->Markup(dead.Html());
+}
+
+}  // namespace
+
+std::string StressPage(const StressResults& r) {
+  report::Page page("Numerical stability", {fmt::format("shadesim {}, seed {}, {}", r.version,
+                                                        r.seed, r.quick ? "quick" : "full"),
+                                            r.machine, r.command});
+  Bounds(r, &page);
+  if (r.growth.empty()) return page.Html();
+  Trouble(r, &page);
+  Words(r, &page);
+  Growths(r, &page);
+  DeadZones(&page);
   return page.Html();
 }
 

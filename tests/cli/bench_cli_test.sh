@@ -14,6 +14,10 @@ refuse 'jobs' bench --out o --jobs 0
 refuse 'own name' bench mesh.obj --out o --markdown mesh.obj
 echo '{"format":"something else"}' >other.json
 refuse 'other.json.*synth.sh --json' bench builtin:sphere:3 --out o --synthesis other.json
+echo '{"a":' >cut.json
+refuse 'cut.json: not JSON at byte' bench builtin:sphere:3 --out o --synthesis cut.json
+refuse 'absent.json: no such file.*synth.sh' bench builtin:sphere:3 --out o --synthesis absent.json
+refuse 'no-such-folder' bench builtin:sphere:3 --out o --markdown no-such-folder/a.md
 refuse 'not a folder|no folder' bench builtin:sphere:3 --out other.json
 "$shadesim" verify builtin:sphere:3 --size 40x30 --triangles-out sphere.jsonl --quiet
 head -n 1 sphere.jsonl >nothing.jsonl
@@ -48,6 +52,11 @@ mv cut.jsonl out/bench-cells.jsonl
 rm out/report.html
 "$shadesim" "${tiny[@]}" >again.txt
 check 'the run goes on' grep -q "kept $kept of" again.txt
+"$shadesim" "${tiny[@]}" --methods flat >few.txt
+check 'only what this run needs is kept' grep -q '^kept 8 of 8 measurements and 2 of 2 curves' few.txt
+check 'curves are no measurements' grep -q '^8 measurements, 2 curves' few.txt
+rm out/report.html
+"$shadesim" "${tiny[@]}" --quiet
 check 'the report is there again' test -s out/report.html
 counts out/bench.csv >second.txt
 check 'the same counts and errors' cmp first.txt second.txt

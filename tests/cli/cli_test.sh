@@ -4,7 +4,10 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/checks.sh" "$1"
 
 # Every bad input has a name and a remedy.
-refuse 'subcommand' render_nothing
+refuse 'name a command: render'
+refuse 'unknown command .render_nothing.' render_nothing
+refuse 'see shadesim verify --help$' verify builtin:sphere --lanes 3
+refuse 'see shadesim --help$' --no-such-option
 refuse 'SCENE' verify
 refuse 'SCENE' render -o a.png
 refuse 'output' render builtin:sphere
@@ -37,6 +40,35 @@ refuse 'sphere' verify builtin:sphere:9999
 refuse 'own name' render builtin:sphere -o a.png --json a.png
 refuse 'own name' verify t.jsonl --triangles-out t.jsonl
 refuse 'missing.obj' verify missing.obj
+mkdir folder folder.jsonl
+refuse 'folder: is a folder' verify folder
+refuse 'folder.jsonl: is a folder' verify folder.jsonl
+refuse 'picture: no extension; use one of: png' render builtin:triangle -o picture
+refuse 'backpressure is empty' verify builtin:sphere --backpressure ''
+for seed in -1 1.5 4294967296 many; do refuse "seed: takes .* not '$seed'" verify builtin:sphere --seed $seed; done
+refuse 'own size, camera' verify --random 10 --size 40x30
+refuse 'ideal has no cycles' render builtin:sphere -o a.png --engine ideal --backpressure random
+refuse 'ideal has no cycles' render builtin:sphere -o a.png --engine ideal --lanes 4
+refuse 'unknown method .rainbow.' verify builtin:sphere --method quad,rainbow
+
+# What cannot be written is refused before the work, which would print.
+refuse 'no-such-folder' cycles builtin:sphere:3 --csv no-such-folder/a.csv
+refuse 'no-such-folder' cycles builtin:sphere:3 --json no-such-folder/a.json
+refuse 'no-such-folder' render builtin:sphere:3 -o no-such-folder/a.png
+refuse 'no-such-folder' list --json no-such-folder/a.json
+refuse 'folder: is a folder' verify builtin:sphere:3 --json folder
+touch file
+refuse 'not a folder' stress --quick --out file
+
+# Nothing compared is no success.
+"$shadesim" verify builtin:sphere:3 --size 40x30 --triangles-out sphere.jsonl --quiet
+head -n 1 sphere.jsonl >nothing.jsonl
+"$shadesim" verify nothing.jsonl >stdout 2>stderr
+check 'nothing compared exits with 1' test $? -eq 1
+check 'nothing compared is said' grep -q 'nothing.jsonl.*nothing was compared' stderr
+check 'nothing compared is no PASS' test "$(grep -c PASS stdout)" -eq 0
+"$shadesim" verify sphere.jsonl nothing.jsonl --quiet 2>stderr
+check 'nor beside a scene that was' test $? -eq 1
 refuse 'missing.jsonl' verify missing.jsonl
 refuse 'not both' verify builtin:sphere --random 10
 refuse 'random' verify --random 0
@@ -66,6 +98,8 @@ has_keys v.json method cycles cycles_per_pixel setup_cycles stall_cycles skipped
   pixel_mismatches spans_compared cycle_mismatches
 accept verify builtin:sphere:6 --size 64x48 --backpressure 0010111 --rotate 30,20 --light 1,1,1
 accept verify --random 600 --method all --seed 9
+"$shadesim" verify builtin:sphere:3 --size 64x48 --method quad,slerp,quad >two.txt
+check 'a list of methods' test "$(grep -c 'rtl:' two.txt)" -eq 2
 accept verify --random 600 --method all --seed 9 --lanes 4 --backpressure random --json four.json
 check 'four lanes are told' grep -q '"lanes": 4' four.json
 accept verify builtin:sphere:6 --size 64x48 --method slerp-intensity --lighting phong --lanes 4
@@ -95,6 +129,12 @@ done
 accept render builtin:sphere:6 --size 64x48 --method slerp-paper --engine model --fraction-bits 12 \
   -o coarse.png --error-map coarse-error.png
 check 'an error map was written' test -s coarse-error.png
+"$shadesim" render builtin:sphere:3 --size 64x48 -o all.png --error-map all-error.png --json all.json \
+  --triangles-out all.jsonl --trace all.fst >rendered.txt
+for file in all.png all-error.png all.json all.jsonl all.fst all.gtkw; do
+  check "render names $file" grep -q ": $file$" rendered.txt
+  check "render wrote $file" test -s $file
+done
 echo '0 1 1 0 0 0 1' >pattern.txt
 accept verify builtin:saddle:3 --size 64x48 --backpressure pattern.txt
 accept verify builtin:saddle:3 --size 64x48 --trace wave.fst
@@ -128,6 +168,8 @@ check 'list succeeds' test $? -eq 0
 for word in flat gouraud quad phong-duff slerp-paper span_setup quad_surface saddle; do
   check "list names $word" grep -q "$word" list.txt
 done
+check 'bounds in codes are in codes' grep -q 'error <= 0.05 codes, beyond the tolerance' list.txt
+check 'and not in both' test "$(grep -c 'ulp.*in codes' list.txt)" -eq 0
 for command in '' render verify cycles bench list; do
   # Unquoted on purpose: no command is no argument.
   "$shadesim" $command --help >help.txt

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Seeds one fault after another and shows by what it is caught; exit 1 if one is not caught.
-# Usage: tests/faults/run.sh [PATTERN]      only faults whose name matches
+# Usage: tests/faults/run.sh [PATTERN [METHODS]]   only faults whose name matches, verified by METHODS (all)
 #
-# Faults in rtl/ must be stopped by lint or make `shadesim verify` exit with 1, without or with
-# back-pressure, with one lane or four. Faults in model/ change RTL and model alike, so the unit tests of the front end must
+# Faults in rtl/ must be stopped by lint, make an assertion of the RTL fail or make `shadesim verify`
+# exit with 1, without or with back-pressure, with one lane or four. Faults in model/ change RTL and model alike, so the unit tests of the front end must
 # catch them. Works on a copy in build/faults, a debug build: one to three minutes a fault.
 set -uo pipefail
 CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." || exit 2
 readonly copy=build/faults/source tree=build/faults/build log=build/faults/log
 pattern=${1:-.}
+readonly methods=${2:-all}
 
 rm -rf -- "$copy"  # an interrupted run may have left a fault in it
 mkdir -p "$copy"
@@ -17,7 +18,7 @@ build() { cmake --build "$tree" --target "$@" >"$log" 2>&1 </dev/null; }
 
 # verify FLOW LANES: the exit status of shadesim verify, 124 when it does not end.
 verify() {
-  (cd build/faults && timeout 300 build/bin/shadesim verify --random 400 --method all \
+  (cd build/faults && timeout 300 build/bin/shadesim verify --random 400 --method "$methods" \
     --backpressure "$1" --lanes "$2" --json verdict.json >verify.log 2>&1 </dev/null)
 }
 
@@ -40,7 +41,10 @@ catch_in_rtl() {
   for lanes in 1 4; do
     for flow in none random; do
       verify $flow $lanes
-      (($? == 1)) && { echo "verify, back-pressure $flow, lanes $lanes: $(summary)"; return; }
+      case $? in
+        1) echo "verify, back-pressure $flow, lanes $lanes: $(summary)"; return ;;
+        134) grep -m1 -oE 'Assertion failed.*' build/faults/verify.log | sed 's/.*: /assertion: /' | grep . && return ;;
+      esac
     done
   done
 }

@@ -172,7 +172,7 @@ TEST_F(ImportTest, NotFinite) {
 
 TEST_F(ImportTest, BadFiles) {
   ExpectError([&] { ImportMesh(Path("none.obj")); }, "none.obj: no such file; check the path");
-  ExpectError([&] { ImportMesh(Path("")); }, "no such file");
+  ExpectError([&] { ImportMesh(Path("")); }, "is a folder; give a mesh file");
   ExpectError([&] { ImportMesh(Write("a.txt", "text")); }, "a.txt: not a mesh format");
   ExpectError([&] { ImportMesh(Write("a", "text")); }, "not a mesh format");
   ExpectError([&] { ImportMesh(Write("a.stl", "not a mesh at all")); }, "export the mesh again");
