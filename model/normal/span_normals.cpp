@@ -36,6 +36,10 @@ Plane NormalPlane(const TriangleGeometry& geometry, const TrianglePacket& packet
   return {quantise(at_origin), quantise(dx), quantise(dy)};
 }
 
+SpanNormal Rounded(const ArcVector& v) {
+  return {Rounded(v[0], kArcFraction), Rounded(v[1], kArcFraction), Rounded(v[2], kArcFraction)};
+}
+
 void AttachLinear(const TriangleGeometry& geometry, const TrianglePacket& packet, size_t first_span,
                   std::vector<SpanCommand>* spans) {
   const int x = (*spans)[first_span].x, y = (*spans)[first_span].y;
@@ -52,8 +56,24 @@ void AttachLinear(const TriangleGeometry& geometry, const TrianglePacket& packet
   }
 }
 
-SpanNormal Rounded(const ArcVector& v) {
-  return {Rounded(v[0], kArcFraction), Rounded(v[1], kArcFraction), Rounded(v[2], kArcFraction)};
+
+void AttachUnit(const TriangleGeometry& geometry, const TrianglePacket& packet, size_t first_span,
+                std::vector<SpanCommand>* spans) {
+  const int x = (*spans)[first_span].x, y = (*spans)[first_span].y;
+  std::array<Plane, 3> plane;
+  for (size_t c = 0; c < 3; ++c) plane[c] = NormalPlane(geometry, packet, c, x, y);
+  for (size_t i = first_span; i < spans->size(); ++i) {
+    SpanCommand& span = (*spans)[i];
+    const auto at = [&](int pixel) {
+      ArcVector v;  // halved, as in UnitOf
+      for (size_t c = 0; c < 3; ++c) {
+        v[c] = static_cast<int64_t>(plane[c].At(pixel - x, span.y - y)) *
+               (int64_t{1} << (kArcFraction - 1 - kPlaneFraction));
+      }
+      return Rounded(UnitOf(v));
+    };
+    span.normal = {at(span.x), at(LastPixel(span))};
+  }
 }
 
 // S2.60
@@ -120,7 +140,11 @@ int64_t SpanNormals::Attach(const TriangleGeometry& geometry, const TrianglePack
   if (interpolation == Interpolation::kSpherical) {
     return AttachSpherical(geometry, packet, first_span, dz_dx, spans);
   }
-  AttachLinear(geometry, packet, first_span, spans);
+  if (interpolation == Interpolation::kUnit) {
+    AttachUnit(geometry, packet, first_span, spans);
+  } else {
+    AttachLinear(geometry, packet, first_span, spans);
+  }
   return 0;
 }
 

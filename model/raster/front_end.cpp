@@ -121,7 +121,9 @@ bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geomet
     using Interpolation = SpanNormals::Interpolation;
     work->split_spans += SpanNormals::Attach(
         geometry, packet,
-        IsSpherical(choice.method) ? Interpolation::kSpherical : Interpolation::kLinear,
+        !IsSpherical(choice.method)  ? Interpolation::kLinear
+        : method_ == Method::kAuto ? Interpolation::kUnit
+                                   : Interpolation::kSpherical,
         first, triangle.dz_dx, &work->spans);
   } else {
     fit_.Fit(packet, geometry, choice, origin.x, origin.y, &triangle);
