@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/bench/auto_table.h"
 #include "sim/bench/bench_plots.h"
 #include "sim/bench/bench_tables.h"
 #include "sim/report/html.h"
@@ -67,6 +68,18 @@ void AddSpans(const Results& r, Page* page) {
       "tolerance 0.5 LSB, n = 32.");
   page->Figure({SpanPlot(r, 1), SpanPlot(r, 4)}, "RTL cycles per span over its length.", r.command);
   page->Markup(SpanTable(r).Html());
+}
+
+constexpr const char* kAutoText =
+    "Fewest RTL cycles among the other methods whose largest error is at most the tolerance + 0.92 "
+    "LSB, 0.42 for arithmetic and 0.5 for the rounding of the code: measured on the scene, where auto "
+    "is sure before it shades.";
+
+void AddAuto(const Results& r, Page* page) {
+  if (!r.Has(Method::kAuto) || !r.Has(Method::kPhong)) return;
+  page->Section("auto beside the best other method");
+  page->Text(kAutoText);
+  page->Markup(AutoTable(r).Html());
 }
 
 void AddPictures(const Gallery& gallery, Page* page) {
@@ -138,6 +151,7 @@ std::string BenchPage(const Results& r, const std::vector<report::Claim>& claims
   AddFronts(r, &page);
   AddPlots(r, &page);
   AddSpans(r, &page);
+  AddAuto(r, &page);
   AddPictures(gallery, &page);
   AddClaims(claims, &page);
   AddOperations(r, &page);
@@ -171,6 +185,7 @@ std::string BenchMarkdown(const Results& r, const std::vector<report::Claim>& cl
       fmt::format("{} x {} pixels, n = {}, one lane; LSB = 1/255, rounding of the code included.",
                   r.width, r.height, n),
       ErrorTable(r, scene, n));
+  if (r.Has(Method::kAuto) && r.Has(Method::kPhong)) add("auto", kAutoText, AutoTable(r));
   add("Operations", "Cycles are the papers': a product 8, an addition, a shift or a look-up 1.",
       OperationTable(r));
   if (r.synthesis) {

@@ -128,6 +128,7 @@ class Bench {
     results_.cells.resize(keys_.size());
     for (const int lanes : {1, kMaxLanes}) {
       for (const Method method : options_.methods) {
+        if (method == Method::kAuto) continue;  // its spans are those of the chosen methods
         results_.curves.emplace_back();
         results_.curves.back().method = method;
         results_.curves.back().lanes = lanes;
