@@ -96,6 +96,7 @@ TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansAsLongAsTheirSetup) {
   FrameWork work;
   work.method = method;
   work.materials.emplace_back();
+  work.limits.emplace_back();
   for (int k = 0; k < 100; ++k) {
     work.triangles.emplace_back();
     work.triangles.back().origin_y = k;
@@ -110,7 +111,8 @@ TEST_P(ShadingUnitMethod, NoBubbleBetweenSpansAsLongAsTheirSetup) {
   ExpectGood(scoreboard.Finish(result), "short spans");
   // The spans follow each other; what remains is the latency of the first one.
   EXPECT_EQ(result.counters.setup, Latency(method));
-  EXPECT_EQ(result.cycles, work.pixels + result.counters.setup + 2);
+  // choice_stage holds the first triangle for a cycle.
+  EXPECT_EQ(result.cycles, work.pixels + result.counters.setup + 2 + (method == Method::kAuto));
 }
 
 // Paper 003's row of 16 pixels: cycles from the first pixel of a row to that of the next.

@@ -27,6 +27,8 @@ inline int Latency(Method method) {
                 ? AdaptiveNormalizer::kChordEnds + AdaptiveNormalizer::kChordTest
                 : 0);
   }
+  // Equal normals make it flat; seed_queue and pixel_queue come on top.
+  if (method == Method::kAuto) return SpanSetup::Steps(Method::kFlat, 0) + 4;
   if (!InterpolatesNormals(method)) {
     return SpanSetup::Steps(method, 0) + 2 + (LightsPixels(method) ? light : 0);
   }
