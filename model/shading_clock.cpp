@@ -14,7 +14,8 @@ namespace {
 
 // A group leaves pixel_walker in some cycle and is on offer so many cycles later.
 constexpr int64_t LightLatency(Method method) {
-  return CosineLatency(method == Method::kAuto ? Method::kPhongDuff : method) + PixelLight::kContract.latency_cycles +
+  return CosineLatency(method == Method::kAuto ? Method::kPhongDuff : method) +
+         PixelLight::kContract.latency_cycles +
          (IsFootprint(method) ? FootprintMean::kContract.latency_cycles : 0) +
          PixelQueue::kContract.latency_cycles;
 }

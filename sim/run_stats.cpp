@@ -175,7 +175,8 @@ std::string Summary(const RunStats& run) {
   text += ErrorText("its closed form", run.closed_form_error);
   if (run.sim_seconds > 0) {
     text +=
-        fmt::format("\n  {:.2f} s, {:.1f} M pixels/s", run.sim_seconds, run.PixelsPerSecond() / 1e6);
+        fmt::format("\n  {:.2f} s, {:.1f} M pixels/s", run.sim_seconds,
+                    run.PixelsPerSecond() / 1e6);
   }
   return text;
 }

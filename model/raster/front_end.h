@@ -18,8 +18,8 @@ struct FrontEndOptions {
 };
 
 // Triangle packets to the commands of the shading unit, integers only: set-up, span walk, vertex
-// lighting and surface fit. A packet that is not drawn is counted, and neither lit nor fitted. In auto
-// frames a triangle gets what the method chosen for it needs.
+// lighting and surface fit. A packet that is not drawn is counted, and neither lit nor fitted. In
+// auto frames a triangle gets what the method chosen for it needs.
 class FrontEnd {
  public:
   FrontEnd(const FrameState& frame, Method method, const FrontEndOptions& options = {});

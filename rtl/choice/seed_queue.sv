@@ -5,8 +5,8 @@
 // while normal_setup, which takes longer, works at an earlier one. A part of span_seeds; it has no
 // page of its own.
 //
-// Timing    A seed of a surface is on offer a cycle after it was taken, one of normals at once, both
-//           when the spans before have left. Depth seeds wait.
+// Timing    A seed of a surface is on offer a cycle after it was taken, one of normals at once,
+//           both when the spans before have left. Depth seeds wait.
 // Streams   ready/valid; a payload holds until taken.
 // Formats   as span_setup.
 // Error     None.

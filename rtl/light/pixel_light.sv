@@ -134,7 +134,8 @@ module pixel_light
     );
 
     blinn_specular u_blinn_specular (
-      .clk_i, .rst_ni, .valid_i(cosine_valid), .skip_i(!specular_q.has_specular || dark_q[CosineLatency-1]),
+      .clk_i, .rst_ni, .valid_i(cosine_valid),
+      .skip_i(!specular_q.has_specular || dark_q[CosineLatency-1]),
       .cosine_i(specular), .shininess_i(specular_q.shininess),
       .valid_o(power_valid), .highlight_o(highlight), .skipped_o(skipped)
     );

@@ -111,7 +111,8 @@ module normal_setup
   quantity_seed_t [2:0] quantity;
   length_seed_t         length;
   normal_setup_difference u_difference (
-    .clk_i, .take_i(take[3]), .step_i(step[3]), .kind_i(stage_run[3].kind), .end_i(passed_angle_q.ends),
+    .clk_i, .take_i(take[3]), .step_i(step[3]), .kind_i(stage_run[3].kind),
+    .end_i(passed_angle_q.ends),
     .delta_i(delta_angle_q), .exponent_i(exponent_angle), .inverse_i(inverse_angle),
     .inverse_square_i(inverse_square_angle), .kappa_i(kappa_angle), .slope_i(slope_angle),
     .square_i(passed_angle_q.square), .along_i(passed_angle_q.along),

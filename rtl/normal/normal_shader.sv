@@ -35,7 +35,7 @@ module normal_shader
 ) (
   input  logic    clk_i,
   input  logic    rst_ni,
-  input  method_e method_i,          // of the frame; method and light are stable while pixels are inside
+  input  method_e method_i,          // of the frame; stable while pixels are inside, as the light
   input  light_t  light_i,
 
   input  choice_t choice_i,          // of the span that starts, at load_i
@@ -111,17 +111,20 @@ module normal_shader
   length_sq_t [Lanes-1:0]                 length_sq;
 
   for (genvar q = 0; q < Components; q++) begin : gen_quantity
+    logic load, step;                // N.H of a dark span holds
+    assign load = load_i && !(q == 1 && is_auto && choice_i.dark);
+    assign step = step_i && !(q == 1 && is_auto && choice_q.dark);
     for (genvar lane = 0; lane < Lanes; lane++) begin : gen_lane
       if (q < LinearQuantities) begin : gen_linear
         linear_recurrence u_linear_recurrence (
-          .clk_i, .load_i(load_i && starts.linear && !(q == 1 && is_auto && choice_i.dark)), .step_i(step_i && now.linear && !(q == 1 && is_auto && choice_q.dark)),
+          .clk_i, .load_i(load && starts.linear), .step_i(step && now.linear),
           .seed_i(quantity_i[q][lane]), .value_o(linear[q][lane]));
       end else begin : gen_no_linear
         assign linear[q][lane] = '0;
       end
       if (q < SlerpQuantities) begin : gen_slerp
         slerp_recurrence u_slerp_recurrence (
-          .clk_i, .load_i(load_i && starts.reinsch && !(q == 1 && is_auto && choice_i.dark)), .step_i(step_i && now.reinsch && !(q == 1 && is_auto && choice_q.dark)),
+          .clk_i, .load_i(load && starts.reinsch), .step_i(step && now.reinsch),
           .seed_i(quantity_i[q][lane]), .kappa_i, .value_o(reinsch[q][lane]));
       end else begin : gen_no_slerp
         assign reinsch[q][lane] = '0;

@@ -122,7 +122,7 @@ module pixel_queue
   if (HasShaded) begin : gen_shaded
     place_t             place_mem [Depth];       // of the groups that are lit, in their order
     codes_t             shaded_mem [Depth];
-    logic [Depth-1:0]   shaded_q, present_q;     // of each place: which codes, and whether they came
+    logic [Depth-1:0]   shaded_q, present_q;     // of each place: which codes, and that they came
     count_t             lit_enter_count_q;
     assign lit_enter_q   = lit_enter_count_q;
     assign code_place    = place_mem[place_t'(code_q)];

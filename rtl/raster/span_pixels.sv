@@ -26,7 +26,7 @@ module span_pixels
 ) (
   input  logic            clk_i,
   input  logic            rst_ni,
-  input  method_e         method_i,          // of the frame; these are stable while pixels are inside
+  input  method_e         method_i,          // of the frame; stable while pixels are inside
   input  tolerance_t      tolerance_i,
   input  light_t          light_i,
 

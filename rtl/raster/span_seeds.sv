@@ -67,8 +67,8 @@ module span_seeds
   localparam bit HasNormal = |(Methods & NormalMethods);
   localparam bit HasAuto = Methods[MethodAuto];
 
-  // Triangles and spans go to one of the two set-ups. In auto frames that of the triangle whose spans
-  // are being taken is remembered.
+  // Triangles and spans go to one of the two set-ups. In auto frames that of the triangle whose
+  // spans are being taken is remembered.
   logic is_auto, triangle_normal, span_normal, open_q, open_normal_q, pass;
   assign is_auto         = HasAuto && method_i == MethodAuto;
   assign triangle_normal = is_any_of(Methods, choice_i.method, NormalMethods);

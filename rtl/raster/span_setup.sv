@@ -185,7 +185,8 @@ module span_setup
       assign split_o[ch].ambient = seed_ambient_q;
       row_start #(.HasGouraud(1'b0)) u_specular_row_start (
         .clk_i, .is_quad_i(is_split), .is_gouraud_i(1'b0),
-        .load_i(take_triangle && load_split), .load_quad_i(1'b1), .surface_i(triangle_i.specular[ch]),
+        .load_i(take_triangle && load_split), .load_quad_i(1'b1),
+        .surface_i(triangle_i.specular[ch]),
         .next_row_i(next_row),
         .product_i(form_product), .finish_i(last_step), .write_i(write_seed), .x_i(local_x),
         .seed_o(split_o[ch].specular));

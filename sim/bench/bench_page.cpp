@@ -72,8 +72,8 @@ void AddSpans(const Results& r, Page* page) {
 
 constexpr const char* kAutoText =
     "Fewest RTL cycles among the other methods whose largest error is at most the tolerance + 0.92 "
-    "LSB, 0.42 for arithmetic and 0.5 for the rounding of the code: measured on the scene, where auto "
-    "is sure before it shades.";
+    "LSB, 0.42 for arithmetic and 0.5 for the rounding of the code: measured on the scene, where "
+    "auto is sure before it shades.";
 
 void AddAuto(const Results& r, Page* page) {
   if (!r.Has(Method::kAuto) || !r.Has(Method::kPhong)) return;

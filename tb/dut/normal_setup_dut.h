@@ -53,7 +53,8 @@ class NormalSetupDutOf {
 
   // Span i is of kind i modulo their number.
   Result Run(const std::vector<SetupKind>& kinds, const LightState& light,
-             const std::vector<SpanCommand>& spans, const FlowPattern& span_flow, const FlowPattern& seed_flow) {
+             const std::vector<SpanCommand>& spans, const FlowPattern& span_flow,
+             const FlowPattern& seed_flow) {
     Result result;
     DriveLight(light, top_->light_i);
     const int64_t limit = 200 + static_cast<int64_t>(spans.size()) * 64;

@@ -49,7 +49,7 @@ TriangleList Scene(const std::string& name) {
 
 TEST(Auto, StaysWithinItsToleranceOnScenes) {
   for (const char* name : {"builtin:sphere:12", "builtin:torus:16", "builtin:saddle:6",
-                           "builtin:mixed:2", "builtin:panel:8", "builtin:cylinder:16"}) {
+                           "builtin:mixed:3", "builtin:panel:8", "builtin:cylinder:16"}) {
     const TriangleList scene = Scene(name);
     for (const int n : {1, 2, 8, 32, 128}) {
       const TriangleList list = WithShininess(scene, n);

@@ -46,7 +46,8 @@ void Print(const std::string& scene) {
     for (const Method method : kMethods) {
       const auto found = counts.find(method);
       const int64_t count = found == counts.end() ? 0 : found->second;
-      fmt::print(" {} |", count == 0 ? "0" : fmt::format("{:.3g}", static_cast<double>(count) / pixels));
+      const double each = static_cast<double>(count) / pixels;
+      fmt::print(" {} |", count == 0 ? "0" : fmt::format("{:.3g}", each));
     }
     fmt::print("\n");
   };
