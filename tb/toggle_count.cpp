@@ -34,19 +34,27 @@ bool IsCounted(std::string_view name) {
 
 Signals ReadSignals(void* reader, Toggles* toggles) {
   Signals signals;
-  std::vector<std::string> units = {"top"};
+  struct Scope {
+    std::string unit;
+    bool counted;  // a struct is a scope, too: an input's fields do not count
+  };
+  std::vector<Scope> scopes = {{"top", true}};
   while (const fstHier* item = fstReaderIterateHier(reader)) {
     if (item->htyp == FST_HT_SCOPE) {
       const std::string_view name(item->u.scope.name, item->u.scope.name_length);
-      units.push_back(name.substr(0, 2) == "u_" ? std::string(name.substr(2)) : units.back());
+      if (name.substr(0, 2) == "u_") {
+        scopes.push_back({std::string(name.substr(2)), true});
+      } else {
+        scopes.push_back({scopes.back().unit, scopes.back().counted && IsCounted(name)});
+      }
     } else if (item->htyp == FST_HT_UPSCOPE) {
-      units.pop_back();
+      scopes.pop_back();
     } else if (item->htyp == FST_HT_VAR) {
       const size_t handle = item->u.var.handle;
       if (signals.size() <= handle) signals.resize(handle + 1);
       const std::string_view name(item->u.var.name, item->u.var.name_length);
-      if (signals[handle].unit != nullptr || !IsCounted(name)) continue;
-      signals[handle].unit = &(*toggles)[units.back()];
+      if (signals[handle].unit != nullptr || !scopes.back().counted || !IsCounted(name)) continue;
+      signals[handle].unit = &(*toggles)[scopes.back().unit];
       signals[handle].unit->bits += item->u.var.length;
     }
   }

@@ -81,7 +81,8 @@ module surface_shader
             .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));
         end else if (m == MethodQuadSegment) begin : gen_segment
           quad_segment u_quad_segment (
-            .clk_i, .load_i(load), .step_i(step), .tolerance_i, .seed_i(curve), .code_o(code[m]));
+            .clk_i, .load_i(load), .step_i(step), .tolerance_i,
+            .seed_i(load ? curve : '0), .code_o(code[m]));
         end else if (m == MethodQuadDifference) begin : gen_difference
           quad_difference u_quad_difference (
             .clk_i, .load_i(load), .step_i(step), .seed_i(curve), .code_o(code[m]));

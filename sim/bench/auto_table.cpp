@@ -9,15 +9,19 @@ namespace {
 using report::Entry;
 using report::Table;
 
-bool IsRival(const Cell& cell, const Cell& other) {
+bool IsRival(const Cell& cell, const Cell& other, Judged judged) {
   const CellKey &a = cell.key, &b = other.key;
-  return b.method != Method::kAuto && a.scene == b.scene && a.shininess == b.shininess &&
-         a.lanes == b.lanes && other.phong.max_lsb <= a.tolerance + kBeyondTolerance;
+  if (b.method == Method::kAuto || a.scene != b.scene || a.shininess != b.shininess ||
+      a.lanes != b.lanes) {
+    return false;
+  }
+  return judged == Judged::kBefore ? (cell.sure >> static_cast<unsigned>(b.method) & 1) != 0
+                                   : other.phong.max_lsb <= a.tolerance + kBeyondTolerance;
 }
 
 const Cell* Phong(const Results& results, const Cell& cell) {
   for (const Cell& other : results.cells) {
-    if (other.key.method == Method::kPhong && IsRival(cell, other)) return &other;
+    if (other.key.method == Method::kPhong && IsRival(cell, other, Judged::kBefore)) return &other;
   }
   return nullptr;
 }
@@ -29,29 +33,32 @@ Entry Percent(double part, double whole) {
 
 }  // namespace
 
-const Cell* BestSingle(const Results& results, const Cell& cell) {
+const Cell* BestSingle(const Results& results, const Cell& cell, Judged judged) {
   const Cell* best = nullptr;
   for (const Cell& other : results.cells) {
-    if (IsRival(cell, other) && (best == nullptr || other.cycles < best->cycles)) best = &other;
+    if (!IsRival(cell, other, judged)) continue;
+    if (best == nullptr || other.cycles < best->cycles) best = &other;
   }
   return best;
 }
 
 Table AutoTable(const Results& results) {
-  Table table({"scene", "n", "tolerance, LSB", "max error, LSB", "cycles", "best other within it",
-               "its cycles", "auto against it", "phong's cycles", "auto against phong",
-               "papers' cycles per pixel", "of the best", "of phong"});
+  Table table({"scene", "n", "tolerance, LSB", "max error, LSB", "cycles", "best other that is sure",
+               "auto against it", "best other in hindsight", "auto against it",
+               "auto against phong", "papers' cycles per pixel", "of the best sure", "of phong"});
   for (const Cell& cell : results.cells) {
     if (cell.key.method != Method::kAuto || cell.key.lanes != 1) continue;
-    const Cell *best = BestSingle(results, cell), *phong = Phong(results, cell);
-    if (best == nullptr || phong == nullptr) continue;
-    const auto cycles = static_cast<double>(cell.cycles);
+    const Cell* sure = BestSingle(results, cell, Judged::kBefore);
+    const Cell* after = BestSingle(results, cell, Judged::kAfter);
+    const Cell* phong = Phong(results, cell);
+    if (sure == nullptr || after == nullptr || phong == nullptr) continue;
+    const auto against = [&](const Cell* other) {
+      return Percent(static_cast<double>(cell.cycles), static_cast<double>(other->cycles));
+    };
     table.Add({cell.key.scene, Entry::Count(cell.key.shininess), cell.key.tolerance,
-               cell.phong.max_lsb, Entry::Count(cell.cycles), Label(best->key),
-               Entry::Count(best->cycles), Percent(cycles, static_cast<double>(best->cycles)),
-               Entry::Count(phong->cycles), Percent(cycles, static_cast<double>(phong->cycles)),
-               cell.PaperCyclesPerPixel(), best->PaperCyclesPerPixel(),
-               phong->PaperCyclesPerPixel()});
+               cell.phong.max_lsb, Entry::Count(cell.cycles), Label(sure->key), against(sure),
+               Label(after->key), against(after), against(phong), cell.PaperCyclesPerPixel(),
+               sure->PaperCyclesPerPixel(), phong->PaperCyclesPerPixel()});
   }
   return table;
 }

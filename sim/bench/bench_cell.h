@@ -33,6 +33,7 @@ struct Cell {
   int64_t stall = 0;   // pixels on offer and not taken
   double rtl_seconds = 0, model_seconds = 0, front_end_seconds = 0;  // processor time of one thread
   PictureError phong, closed_form;
+  uint32_t sure = 0;  // auto: bit m: method m alone is sure to stay within the tolerance
 
   double PerPixel(double n) const { return n / static_cast<double>(work.pixels); }
   double PerSpan(double n) const { return n / static_cast<double>(work.spans); }

@@ -108,6 +108,7 @@ Json ToJson(const Cell& cell) {
           {"front_end_seconds", cell.front_end_seconds},
           {"against_phong", ErrorJson(cell.phong)},
           {"against_closed_form", ErrorJson(cell.closed_form)}};
+  if (cell.sure != 0) json["sure"] = cell.sure;
   for (const Method method : kAllMethods) {
     const MethodShare& share = cell.work.share[static_cast<size_t>(method)];
     if (share.triangles == 0) continue;
@@ -137,6 +138,7 @@ Cell CellFromJson(const Json& json) {
   cell.rtl_seconds = json.at("rtl_seconds");
   cell.model_seconds = json.at("model_seconds");
   cell.front_end_seconds = json.at("front_end_seconds");
+  cell.sure = json.value("sure", 0U);
   cell.phong = ErrorFrom(json.at("against_phong"));
   cell.closed_form = ErrorFrom(json.at("against_closed_form"));
   return cell;

@@ -71,9 +71,10 @@ void AddSpans(const Results& r, Page* page) {
 }
 
 constexpr const char* kAutoText =
-    "Fewest RTL cycles among the other methods whose largest error is at most the tolerance + 0.92 "
-    "LSB, 0.42 for arithmetic and 0.5 for the rounding of the code: measured on the scene, where "
-    "auto is sure before it shades.";
+    "The fewest RTL cycles of another method, one for the whole scene: of those that are sure to "
+    "stay within the tolerance on every triangle before they shade, as auto is, and, in "
+    "hindsight, of those whose largest error turned out to be at most the tolerance + 0.92 LSB, "
+    "0.42 for arithmetic and 0.5 for the rounding of the code.";
 
 void AddAuto(const Results& r, Page* page) {
   if (!r.Has(Method::kAuto) || !r.Has(Method::kPhong)) return;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "model/choice/method_choice.h"
 #include "model/raster/front_end.h"
 #include "sim/bench/thread_stopwatch.h"
 #include "tb/rtl_shading_unit.h"
@@ -93,6 +94,23 @@ bool SamePicture(const FrameBuffer& a, const FrameBuffer& b) {
   return true;
 }
 
+// Methods that are good enough for every triangle of the frame, as auto judges them; phong is exact.
+uint32_t SureMethods(const FrameWork& work) {
+  const auto bit = [](Method method) { return 1U << static_cast<unsigned>(method); };
+  uint32_t sure = ~0U;
+  for (const TriangleState& triangle : work.triangles) {
+    uint32_t good = bit(Method::kPhongDuff) | bit(Method::kPhong);
+    for (const MethodChoice::Bound& b :
+         MethodChoice::BoundsOf(triangle.range, work.limits[static_cast<size_t>(triangle.material)],
+                                work.light.lighting)) {
+      if (b.allowed && MethodChoice::LogAdd(b.diffuse, b.specular) <= 0) good |= bit(b.method);
+    }
+    if (triangle.range.turn.raw() == 0) good |= bit(Method::kFlat);
+    sure &= good;
+  }
+  return sure;
+}
+
 }  // namespace
 
 TriangleList WithShininess(TriangleList list, int n) {
@@ -118,7 +136,10 @@ Cell MeasureCell(const TriangleList& list, const CellKey& key, int repeats, Fram
   cell.work.triangles = static_cast<int64_t>(work.triangles.size());
   cell.work.spans = static_cast<int64_t>(work.spans.size());
   cell.work.pixels = work.pixels;
-  if (key.method == Method::kAuto) cell.work.share = work.share;
+  if (key.method == Method::kAuto) {
+    cell.work.share = work.share;
+    cell.sure = SureMethods(work);
+  }
   if (work.pixels == 0) {
     throw std::runtime_error(
         fmt::format("{}: covers no pixel; show it larger or leave it out", key.scene));

@@ -94,6 +94,8 @@ TEST(Auto, BestSingleIsTheFastestThatIsAsGood) {
     cell.work.pixels = 100;
     cell.cycles = cycles;
     cell.phong.max_lsb = error;
+    cell.sure = 1U << static_cast<unsigned>(Method::kPhong) |
+                1U << static_cast<unsigned>(Method::kPhongDuff);
     results.cells.push_back(cell);
   };
   add(Method::kAuto, 1, 105, 1.2);
@@ -101,9 +103,14 @@ TEST(Auto, BestSingleIsTheFastestThatIsAsGood) {
   add(Method::kQuad, 0, 104, 1.91);
   add(Method::kQuadStep, 0, 103, 1.93);
   add(Method::kPhong, 0, 120, 0.5);
-  ASSERT_NE(BestSingle(results, results.cells[0]), nullptr);
-  EXPECT_EQ(BestSingle(results, results.cells[0])->key.method, Method::kQuad);
-  EXPECT_NE(AutoTable(results).Markdown().find("+1.0 %"), std::string::npos);
+  const auto best = [&](Judged judged) {
+    const Cell* cell = BestSingle(results, results.cells[0], judged);
+    return cell == nullptr ? Method::kAuto : cell->key.method;
+  };
+  EXPECT_EQ(best(Judged::kAfter), Method::kQuad);
+  EXPECT_EQ(best(Judged::kBefore), Method::kPhong);
+  EXPECT_NE(AutoTable(results).Markdown().find("+1.0 %"), std::string::npos) << "of 104";
+  EXPECT_NE(AutoTable(results).Markdown().find("-12.5 %"), std::string::npos) << "of 120";
 }
 
 }  // namespace
