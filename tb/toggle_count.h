@@ -8,7 +8,8 @@
 namespace shading::tb {
 
 // Changes of single bits in a waveform (.fst), by unit: the innermost instance u_NAME around a
-// signal, or "top". Clock, reset and input ports do not count: an input of a unit is an output of another.
+// signal, or "top". Clock, reset and input ports do not count: an input of a unit is an output of
+// another.
 // Throws std::runtime_error when the file cannot be read.
 struct UnitToggles {
   int64_t bits = 0;     // of its signals

@@ -43,9 +43,10 @@ const Cell* BestSingle(const Results& results, const Cell& cell, Judged judged) 
 }
 
 Table AutoTable(const Results& results) {
-  Table table({"scene", "n", "tolerance, LSB", "max error, LSB", "cycles", "best other that is sure",
-               "auto against it", "best other in hindsight", "auto against it",
-               "auto against phong", "papers' cycles per pixel", "of the best sure", "of phong"});
+  Table table({"scene", "n", "tolerance, LSB", "max error, LSB", "cycles",
+               "best other that is sure", "auto against it", "best other in hindsight",
+               "auto against it", "auto against phong", "papers' cycles per pixel",
+               "of the best sure", "of phong"});
   for (const Cell& cell : results.cells) {
     if (cell.key.method != Method::kAuto || cell.key.lanes != 1) continue;
     const Cell* sure = BestSingle(results, cell, Judged::kBefore);

@@ -11,8 +11,8 @@ namespace shading::sim {
 inline constexpr double kBeyondTolerance = 0.42 + 0.5;
 
 // The cell with the fewest cycles among those of other methods with the scene, n and lanes of
-// `cell`: of those that are sure to stay within its tolerance before they shade, as auto is, or that
-// are measured to have done so; null when none is.
+// `cell`: of those that are sure to stay within its tolerance before they shade, as auto is, or
+// that are measured to have done so; null when none is.
 enum class Judged { kBefore, kAfter };
 const Cell* BestSingle(const Results& results, const Cell& cell, Judged judged);
 

@@ -94,7 +94,7 @@ bool SamePicture(const FrameBuffer& a, const FrameBuffer& b) {
   return true;
 }
 
-// Methods that are good enough for every triangle of the frame, as auto judges them; phong is exact.
+// Methods that are good enough for every triangle of the frame, as auto judges; phong is exact.
 uint32_t SureMethods(const FrameWork& work) {
   const auto bit = [](Method method) { return 1U << static_cast<unsigned>(method); };
   uint32_t sure = ~0U;
