@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <utility>
 
 #include "tb/stimulus/random_triangles.h"
 #include "tests/toggles/toggle_run.h"
@@ -40,12 +42,20 @@ TEST(Toggles, UnitsOfTheLightHoldWhereIntensitiesAreInterpolated) {
 }
 
 TEST(Toggles, OnlyTheChosenSurfaceMoves) {
+  const std::set<std::string> kSurfaces = {
+      "flat_color",    "gouraud_interpolator", "quad_surface",    "quad_step",
+      "quad_midpoint", "quad_three_term",      "quad_difference", "quad_third_difference",
+      "quad_segment",  "quad_split",           "quad_polynomial", "quad_horner"};
   const TriangleList list = tb::RandomTriangles(4, 60);
-  const tb::Toggles gouraud = TogglesOf(list, Method::kGouraud, kOneCode);
-  EXPECT_GT(gouraud.at("gouraud_interpolator").toggles, 0);
-  for (const char* unit : {"flat_color", "quad_surface", "quad_step", "quad_midpoint",
-                           "quad_three_term", "quad_third_difference", "quad_difference"}) {
-    EXPECT_EQ(gouraud.at(unit).toggles, 0) << unit;
+  for (const auto& [method, chosen] :
+       {std::pair(Method::kGouraud, "gouraud_interpolator"),
+        std::pair(Method::kQuad, "quad_surface"), std::pair(Method::kQuadStep, "quad_step")}) {
+    const tb::Toggles toggles = TogglesOf(list, method, kOneCode);
+    for (const std::string& unit : kSurfaces) {
+      ASSERT_EQ(toggles.count(unit), 1U) << unit << ": no such instance";
+      const int64_t changes = toggles.at(unit).toggles;
+      EXPECT_EQ(changes > kSettling, unit == chosen) << unit << " for " << Name(method);
+    }
   }
 }
 
