@@ -12,7 +12,7 @@
 // Streams   ready/valid.
 // Formats   method_pkg.
 // Error     That of method_choice.
-// Model     ChoiceStage in model/choice/choice_stage.h      Doc  docs/units/shading_unit.md
+// Model     Triangle in model/shading_clock.h, shading_unit.h   Doc  docs/units/shading_unit.md
 module choice_stage
   import light_pkg::*;
   import method_pkg::*;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Methods of shading, sets of them, and what the choice of a triangle's method goes by.
-// model/shading_types.h and model/choice/choice_types.h are the C++ twins.
+// model/shading_method.h and model/choice/choice_types.h are the C++ twins.
 package method_pkg;
   import fixed_pkg::*;
   import light_pkg::*;
@@ -61,7 +61,7 @@ package method_pkg;
   localparam methods_t RowMethods = SurfaceMethods & ~PointMethods & ~method_bit(MethodFlat) &
                                     ~method_bit(MethodGouraud);
 
-  // The frame's method is one of the set; a build without others need not look.
+  // A method, of a frame or of a triangle, is of the set; a build without others need not look.
   function automatic logic is_any_of(methods_t built, method_e frame, methods_t set);
     is_any_of = (built & set) != '0 && ((built & ~set) == '0 || set[frame]);
   endfunction
