@@ -69,7 +69,7 @@ TriangleFit::Corners TriangleFit::CornersOf(const TrianglePacket& packet,
 
 LightRange TriangleFit::Range(const TrianglePacket& packet) const {
   const Corners corners = CornersOf(packet, {0, 1, 2});
-  return MethodChoice::RangeOf(corners.normal, corners.cosines, LightOf(frame_));
+  return MethodChoice::RangeOf(corners.normal, corners.cosines, light_state_);
 }
 
 void TriangleFit::Fit(const TrianglePacket& packet, const TriangleGeometry& geometry,

@@ -12,7 +12,8 @@ namespace shading {
 // 003; where opposed normals leave a middle undefined, it has the mean of the corners' values.
 class TriangleFit {
  public:
-  explicit TriangleFit(const FrameState& frame) : frame_(frame), light_(frame) {}
+  explicit TriangleFit(const FrameState& frame)
+      : frame_(frame), light_state_(LightOf(frame)), light_(frame) {}
 
   // How far the normals turn, and the cosines at the vertices: what the choice goes by.
   LightRange Range(const TrianglePacket& packet) const;
@@ -34,6 +35,7 @@ class TriangleFit {
                   TriangleState* triangle) const;
 
   const FrameState& frame_;
+  LightState light_state_;
   VertexLight light_;
 };
 
