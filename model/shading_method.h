@@ -23,6 +23,7 @@ enum class Method {
   kQuadFootprint,
   kQuadSplit,
   kQuadCosine,
+  kPhongSurface,
   kPhong,
   kPhongTaylor,
   kPhongDuff,
@@ -37,13 +38,13 @@ enum class Method {
   kFootprintPaper,
   kAuto  // of a frame: each triangle has its own
 };
-inline constexpr int kMethodCount = 27;
+inline constexpr int kMethodCount = 28;
 inline constexpr std::array<std::string_view, kMethodCount> kMethodNames = {
     "flat", "gouraud", "quad", "quad-polynomial", "quad-horner", "quad-step", "quad-midpoint",
     "quad-three-term", "quad-third-difference", "quad-segment", "quad-difference",
-    "quad-footprint", "quad-split", "quad-cosine", "phong", "phong-taylor", "phong-duff",
-    "slerp", "slerp-paper", "slerp-intensity", "slerp-direct", "adaptive", "adaptive-paper",
-    "adaptive-chord", "footprint", "footprint-paper", "auto"};
+    "quad-footprint", "quad-split", "quad-cosine", "phong-surface", "phong", "phong-taylor",
+    "phong-duff", "slerp", "slerp-paper", "slerp-intensity", "slerp-direct", "adaptive",
+    "adaptive-paper", "adaptive-chord", "footprint", "footprint-paper", "auto"};
 inline constexpr std::string_view Name(Method method) {
   return kMethodNames[static_cast<size_t>(method)];
 }
@@ -56,9 +57,13 @@ constexpr std::array<Method, kCount> FirstMethods() {
 inline constexpr auto kAllMethods = FirstMethods<kMethodCount>();
 // Methods that interpolate along a surface, by span_setup; the others interpolate normals.
 inline constexpr auto kSurfaceMethods =
-    FirstMethods<static_cast<size_t>(Method::kQuadCosine) + 1>();
+    FirstMethods<static_cast<size_t>(Method::kPhongSurface) + 1>();
 constexpr bool InterpolatesNormals(Method method) {
-  return method > Method::kQuadCosine && method < Method::kAuto;
+  return method > Method::kPhongSurface && method < Method::kAuto;
+}
+// Of the former, those whose surfaces are of cosines.
+constexpr bool InterpolatesCosines(Method method) {
+  return method == Method::kQuadCosine || method == Method::kPhongSurface;
 }
 // Methods that light every pixel, kAuto where it has to; the others interpolate intensities.
 constexpr bool LightsPixels(Method method) { return method >= Method::kQuadCosine; }

@@ -25,7 +25,7 @@ using CosineAcc = S<1, 44>;  // cosine on a surface; wraps likewise
 using Tolerance = U<4, 12>;  // codes
 
 inline constexpr int kChannels = 3;  // red, green, blue
-inline constexpr int kCosines = 2;   // N.L, and N.H or N.V
+inline constexpr int kCurves = 3;    // N.L; N.H or N.V; phong-surface: |N|^2
 inline constexpr int kMaxScreen = 4096;
 
 // I(x, y) = A x^2 + B y^2 + C xy + D x + E y + F, paper 003 (2), in codes, one colour channel;
@@ -36,7 +36,7 @@ struct BasicSurface {
   Value a, b, c, d, e, f;
 };
 using Surface = BasicSurface<IntensityAcc>;
-using CosineSurface = BasicSurface<CosineAcc>;  // of an unclamped cosine; no half unit
+using CosineSurface = BasicSurface<CosineAcc>;  // of an unclamped cosine or |N|^2; no half unit
 
 // The surface of one channel and a pixel on it.
 struct SurfacePoint {
@@ -55,7 +55,7 @@ struct TriangleState {
   std::array<Surface, kChannels> surface;       // intensity; quad-split: diffuse, no half code
   std::array<Surface, kChannels> specular;      // quad-split, no half code
   std::array<IntensityAcc, kChannels> ambient;  // quad-split, with the half code
-  std::array<CosineSurface, kCosines> cosine;   // quad-cosine
+  std::array<CosineSurface, kCurves> curve;     // quad-cosine, phong-surface
 };
 
 // A run of pixels of one triangle on one scanline.
@@ -92,7 +92,7 @@ struct SpanSeed {
   std::array<ChannelSeed, kChannels> channel;  // methods that interpolate intensities
   std::array<SplitSeed, kChannels> split;      // quad-split
   std::array<SurfacePoint, kChannels> point;   // quad-polynomial, quad-horner
-  std::array<CurveSeed, kCosines> cosine;      // quad-cosine
+  std::array<CurveSeed, kCurves> curve;        // quad-cosine, phong-surface
   NormalSeed normal;                           // methods that interpolate normals
 };
 

@@ -5,99 +5,12 @@
 #include <cstring>
 
 #include "model/footprint/footprint_shader.h"
-#include "model/intensity/flat_color.h"
-#include "model/intensity/gouraud_interpolator.h"
-#include "model/intensity/lane_seed.h"
-#include "model/intensity/quad_difference.h"
-#include "model/intensity/quad_horner.h"
-#include "model/intensity/quad_midpoint.h"
-#include "model/intensity/quad_polynomial.h"
-#include "model/intensity/quad_segment.h"
-#include "model/intensity/quad_split.h"
-#include "model/intensity/quad_step.h"
-#include "model/intensity/quad_surface.h"
-#include "model/intensity/quad_third_difference.h"
-#include "model/intensity/quad_three_term.h"
+#include "model/intensity/surface_shader.h"
 #include "model/normal/normal_shader.h"
-#include "model/raster/pixel_walker.h"
+#include "model/raster/pixel_words.h"
 #include "model/raster/span_binder.h"
 
 namespace shading {
-namespace {
-
-// A pixel is written as two words, its fields from the lowest byte up: fewer and wider stores.
-static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "Pixel is written in words");
-
-void WritePosition(const PixelWalker& walker, Pixel* pixel) {
-  const uint64_t word = walker.x() | static_cast<uint64_t>(walker.y()) << 16 |
-                        static_cast<uint64_t>(walker.z()) << 32;
-  std::memcpy(&pixel->x, &word, sizeof word);
-}
-
-// Clears `last`, too. Few pixels need a clamp, so one test serves three channels.
-void WriteColor(int64_t r, int64_t g, int64_t b, Pixel* pixel) {
-  if (((r | g | b) & ~Code::kMaxRaw) != 0) {
-    r = ClampCode(r);
-    g = ClampCode(g);
-    b = ClampCode(b);
-  }
-  const auto word = static_cast<uint32_t>(r | g << 8 | b << 16);
-  std::memcpy(&pixel->r, &word, sizeof word);
-}
-
-// make(channel) is the unit of one channel.
-template <typename Make>
-void ShadeSpan(const SpanSeed& seed, const Make& make, Pixel* pixels) {
-  const int length = seed.length;
-  PixelWalker walker(seed);
-  auto red = make(0), green = make(1), blue = make(2);
-  for (int i = 0; i < length; ++i) {
-    WritePosition(walker, pixels + i);
-    WriteColor(red.whole(), green.whole(), blue.whole(), pixels + i);
-    walker.Step();
-    red.Step();
-    green.Step();
-    blue.Step();
-  }
-  pixels[length - 1].last = 1;
-}
-
-// A method whose lanes show the same intensities as one: their recurrences are exact.
-template <typename Unit>
-void ShadeCurve(const SpanSeed& seed, Pixel* pixels) {
-  ShadeSpan(
-      seed, [&](size_t ch) { return Unit(seed.channel[ch]); }, pixels);
-}
-template <typename Unit>
-void ShadePoints(const SpanSeed& seed, Pixel* pixels) {
-  ShadeSpan(
-      seed, [&](size_t ch) { return Unit(seed.point[ch]); }, pixels);
-}
-
-// The segments of each lane are its own.
-class LaneSegments {
- public:
-  LaneSegments(const ChannelSeed& seed, Tolerance tolerance, int lanes)
-      : lane_{Lane(seed, 0, tolerance, lanes), Lane(seed, 1, tolerance, lanes),
-              Lane(seed, 2, tolerance, lanes), Lane(seed, 3, tolerance, lanes)},
-        lanes_(lanes) {}
-  int64_t whole() const { return lane_[at_].whole(); }
-  void Step() {
-    lane_[at_].Step();
-    at_ = at_ + 1 == static_cast<size_t>(lanes_) ? 0 : at_ + 1;
-  }
-
- private:
-  static QuadSegment Lane(const ChannelSeed& seed, int lane, Tolerance tolerance, int lanes) {
-    return QuadSegment(LaneSeed::Of(seed, lane, lanes), tolerance);
-  }
-
-  std::array<QuadSegment, kMaxLanes> lane_;
-  size_t at_ = 0;
-  int lanes_;
-};
-
-}  // namespace
 
 // Cosines come one after the other, light in blocks.
 template <int kLanes, typename Shader>
@@ -154,9 +67,11 @@ void ShadingUnit::LightFootprints(const SpanCommand& span, Pixel* pixels) {
 
 template <int kLanes>
 void ShadingUnit::LightPixels(const SpanCommand& span, Pixel* pixels) {
-  if (choice_.method == Method::kQuadCosine) {
+  if (InterpolatesCosines(choice_.method)) {
     SpanSetup::Seed(choice_.method, *triangle_, span, &seed_);
-    return LightSpan<kLanes>(QuadCosineShader<kLanes>(seed_.cosine), pixels);
+    return choice_.method == Method::kQuadCosine
+               ? LightSpan<kLanes>(QuadCosineShader<kLanes>(seed_.curve), pixels)
+               : LightSpan<kLanes>(PhongSurfaceShader<kLanes>(seed_.curve), pixels);
   }
   SpanBinder::Bind(*triangle_, span, &seed_);
   if (IsAdaptive(choice_.method)) {
@@ -181,34 +96,6 @@ void ShadingUnit::LightPixels(const SpanCommand& span, Pixel* pixels) {
   }
 }
 
-void ShadingUnit::ShadeIntensities(Pixel* pixels) const {
-  const SpanSeed& seed = seed_;
-  switch (choice_.method) {
-    case Method::kFlat: return ShadeCurve<FlatColor>(seed, pixels);
-    case Method::kGouraud: return ShadeCurve<GouraudInterpolator>(seed, pixels);
-    case Method::kQuad:
-    case Method::kQuadFootprint: return ShadeCurve<QuadSurface>(seed, pixels);
-    case Method::kQuadPolynomial: return ShadePoints<QuadPolynomial>(seed, pixels);
-    case Method::kQuadHorner: return ShadePoints<QuadHorner>(seed, pixels);
-    case Method::kQuadStep: return ShadeCurve<QuadStep>(seed, pixels);
-    case Method::kQuadMidpoint: return ShadeCurve<QuadMidpoint>(seed, pixels);
-    case Method::kQuadThreeTerm: return ShadeCurve<QuadThreeTerm>(seed, pixels);
-    case Method::kQuadThirdDifference: return ShadeCurve<QuadThirdDifference>(seed, pixels);
-    case Method::kQuadDifference: return ShadeCurve<QuadDifference>(seed, pixels);
-    case Method::kQuadSegment:
-      return ShadeSpan(
-          seed,
-          [&](size_t ch) {
-            return LaneSegments(seed.channel[ch], work_.tolerance, clock_.lanes());
-          },
-          pixels);
-    case Method::kQuadSplit:
-      return ShadeSpan(
-          seed, [&](size_t ch) { return QuadSplit(seed.channel[ch], seed.split[ch]); }, pixels);
-    default: return;
-  }
-}
-
 void ShadingUnit::Triangle(const TriangleState& triangle) {
   triangle_ = &triangle;
   const auto index = static_cast<size_t>(triangle.material);
@@ -229,7 +116,8 @@ void ShadingUnit::CountSkips() {
   const bool lit = LightsPixels(choice_.method);
   counters_.constant += choice_.method == Method::kFlat;
   counters_.dark += lit && choice_.dark;
-  counters_.unnormalised += lit && choice_.method != Method::kPhongDuff;
+  counters_.unnormalised += lit && choice_.method != Method::kPhongDuff &&
+                            choice_.method != Method::kPhongSurface;
   for (int channel = 0; channel < kChannels; ++channel) {
     counters_.black += (choice_.channels >> channel & 1) == 0;
   }
@@ -259,7 +147,7 @@ SpanTiming ShadingUnit::Span(const SpanCommand& span, Pixel* pixels) {
     }
   } else {
     SpanSetup::Seed(choice_.method, *triangle_, span, &seed_);
-    ShadeIntensities(pixels);
+    SurfaceShader::Shade(choice_.method, seed_, work_.tolerance, clock_.lanes(), pixels);
   }
   const int samples = IsFootprint(choice_.method) ? SampleCount(triangle_->footprint.pattern) : 1;
   const SpanTiming timing = adaptive ? clock_.AdaptiveSpan(setup_cycles, segments_, span.last)

@@ -62,7 +62,7 @@ class ShadingUnit {
               int paper_fraction_bits = Quantity::kFraction)
       : work_(work),
         paper_fraction_bits_(paper_fraction_bits),
-        choice_{work.method, false, false, 7},
+        choice_(ChoiceOf(work.method)),
         clock_(work.method, lanes, std::move(source), std::move(sink)),
         light_(work.light),
         sample_light_(work.light) {
@@ -91,7 +91,6 @@ class ShadingUnit {
   void CountSkips();  // of a span in an auto frame
   template <int kLanes>
   void LightPixels(const SpanCommand& span, Pixel* pixels);
-  void ShadeIntensities(Pixel* pixels) const;
   template <int kLanes, typename Shader>
   void LightSpan(Shader shader, Pixel* pixels);
   template <int kLanes>

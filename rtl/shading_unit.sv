@@ -3,7 +3,7 @@
 // Shading unit: triangles and their spans in, shaded pixels out, Lanes per cycle.
 //
 //   triangle, span -> span_seeds -> pixel_walker + surface_shader -> pixel     intensities
-//                                -> pixel_walker + lit_pixels -> pixel         quad-cosine, normals
+//                                -> pixel_walker + lit_pixels -> pixel         cosines, normals
 //                                -> surface_shader -> lit_pixels -> pixel      auto: intensities
 //
 // Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
@@ -93,7 +93,7 @@ module shading_unit
   seed_t                         seed;     // of intensities
   split_seed_t    [Channels-1:0] split;    // quad-split
   surface_point_t [Channels-1:0] point;    // quad-polynomial, quad-horner
-  curve_seed_t    [Cosines-1:0]  cosine;   // quad-cosine
+  curve_seed_t    [Curves-1:0]   curve;    // quad-cosine, phong-surface
   material_index_t               material;
 
   quantity_seed_t [Components-1:0][Lanes-1:0] quantity;
@@ -124,7 +124,7 @@ module shading_unit
     .seed_o          (seed),
     .split_o         (split),
     .point_o         (point),
-    .cosine_o        (cosine),
+    .curve_o         (curve),
     .quantity_o      (quantity),
     .length_o        (length),
     .kappa_o(kappa), .step_kappa_o(step_kappa),
@@ -160,7 +160,7 @@ module shading_unit
     .channel_i   (seed.channel),
     .split_i     (split),
     .point_i     (point),
-    .cosine_i    (cosine),
+    .curve_i     (curve),
     .quantity_i  (quantity),
     .length_i    (length),
     .kappa_i(kappa), .step_kappa_i(step_kappa), .arc_i(arc), .footprint_i(footprint),
@@ -204,7 +204,8 @@ module shading_unit
     .load_i        (load && is_auto),
     .constant_i    (choice.method == MethodFlat),
     .dark_i        (load_lit && choice.dark),
-    .unnormalised_i(load_lit && choice.method != MethodPhongDuff),
+    .unnormalised_i(load_lit && choice.method != MethodPhongDuff &&
+                     choice.method != MethodPhongSurface),
     .channels_i    (choice.channels),
     .count_i       (count_valid),
     .normalised_i  (normalised),

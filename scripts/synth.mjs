@@ -78,7 +78,7 @@ const slowPaths = ['normal_setup', 'slerp_direct_setup', 'phong_direct', 'taylor
 // One build per method: bit k of Methods is method k of method_e.
 const methods = ['flat', 'gouraud', 'quad', 'quad-polynomial', 'quad-horner', 'quad-step',
   'quad-midpoint', 'quad-three-term', 'quad-third-difference', 'quad-segment', 'quad-difference',
-  'quad-footprint', 'quad-split', 'quad-cosine', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
+  'quad-footprint', 'quad-split', 'quad-cosine', 'phong-surface', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
   'slerp-paper', 'slerp-intensity', 'slerp-direct', 'adaptive', 'adaptive-paper', 'adaptive-chord',
   'footprint', 'footprint-paper'];
 const record = new Record(json, 'Yosys 0.70, slang front end', target, files);

@@ -19,6 +19,8 @@
 #include "Vshading_unit_phong___024root.h"
 #include "Vshading_unit_phong_duff.h"
 #include "Vshading_unit_phong_duff___024root.h"
+#include "Vshading_unit_phong_surface.h"
+#include "Vshading_unit_phong_surface___024root.h"
 #include "Vshading_unit_phong_taylor.h"
 #include "Vshading_unit_phong_taylor___024root.h"
 #include "Vshading_unit_quad.h"
@@ -57,6 +59,7 @@ std::unique_ptr<RtlShadingUnit> RtlShadingUnit::Create(Method method, int lanes)
     case Method::kQuad: return OneLane<Vshading_unit_quad>();
     case Method::kQuadSplit: return OneLane<Vshading_unit_quad_split>();
     case Method::kQuadCosine: return OneLane<Vshading_unit_quad_cosine>();
+    case Method::kPhongSurface: return OneLane<Vshading_unit_phong_surface>();
     case Method::kPhong: return OneLane<Vshading_unit_phong>();
     case Method::kPhongTaylor: return OneLane<Vshading_unit_phong_taylor>();
     case Method::kPhongDuff: return OneLane<Vshading_unit_phong_duff>();

@@ -120,14 +120,14 @@ std::array<MethodChoice::Bound, MethodChoice::kBounds> MethodChoice::BoundsOf(
        {Method::kQuad, whole, diffuse(t.terminator ? l1 + kQuadKink : l3 + kQuadDiffuse),
         specular(w3 + few + At(kQuadSpecular, q))},
        {Method::kQuadCosine, t.straight, std::max(t.diffuse + l3 + kQuadCosineDiffuse, kZeroLog),
-        specular(root + bend + At(kCosineSpecular, q))},
-       {Method::kSlerpIntensity, t.straight, diffuse(l3 + kSlerpDiffuse),
-        specular(root + At(kSlerpSpecular, q))}}};
+        specular(root + bend + At(kCosineSpecular, q))}}};
 }
 
 Choice MethodChoice::Of(const LightRange& range, const ChoiceLimit& limit, Lighting lighting) {
   const Terms t = TermsOf(range, limit, lighting);
-  Choice choice = {Method::kPhongDuff, t.dark, t.dark && !t.lit, limit.channels};
+  const Method exact =
+      range.turn.raw() <= kSurfaceTurn ? Method::kPhongSurface : Method::kPhongDuff;
+  Choice choice = {exact, t.dark, t.dark && !t.lit, limit.channels};
   const auto bounds = BoundsOf(range, limit, lighting);
   for (const Bound& bound : bounds) {
     const bool good = bound.allowed && LogAdd(bound.diffuse, bound.specular) <= 0;

@@ -17,7 +17,8 @@ namespace shading {
 //   2^Ld + 2^Ls <= 1,  Ld >= log2(Ed / T),  Ls >= log2(Es / T)
 //
 // of the diffuse and the specular light; bounds of every method in docs/units/choice. First of
-// flat, gouraud, quad, quad-cosine, slerp-intensity; phong-duff where none is good enough.
+// flat, gouraud, quad, quad-cosine; else one that is exact, phong-surface up to a turn of 104
+// degrees, phong-duff beyond.
 //
 // Logarithms S6.5, rounded up. Without a clock. The arithmetic of the chosen method comes on top.
 // Any input is good; normals count as unit.
@@ -46,7 +47,9 @@ class MethodChoice {
     bool allowed;
     int diffuse, specular;
   };
-  static constexpr size_t kBounds = 5;
+  static constexpr size_t kBounds = 4;
+  // phong-surface: up to 104 degrees |N|^2 is at least 1/6 on the triangle.
+  static constexpr int64_t kSurfaceTurn = int64_t{5} << (Turn::kFraction - 1);
   static std::array<Bound, kBounds> BoundsOf(const LightRange& range, const ChoiceLimit& limit,
                                              Lighting lighting);
   // log2(2^a + 2^b) in 2^-5, at most 1 / 250 of the sum too low.

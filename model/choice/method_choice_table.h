@@ -15,7 +15,6 @@ inline constexpr int kGouraudKink = -26;         // 1, with a terminator
 inline constexpr int kQuadDiffuse = -129;        // 3
 inline constexpr int kQuadKink = -61;            // 1, with a terminator
 inline constexpr int kQuadCosineDiffuse = -127;  // 3
-inline constexpr int kSlerpDiffuse = -131;       // 3
 
 // Errors of the highlight, entry k for one of at most 2^-k: over 255 ks and the power 1, 2, 3 of
 // sqrt(n) l, and over 255 ks sqrt(n) l^3.
@@ -27,8 +26,6 @@ inline constexpr Table kQuadSpecular = {-161, -163, -199, -199, -199, -226, -244
                                         -288, -311, -336, -361, -387, -414, -441, -470};
 inline constexpr Table kCosineSpecular = {-146, -155, -174, -196, -222, -249, -278, -307,
                                           -337, -366, -397, -428, -459, -491, -522, -556};
-inline constexpr Table kSlerpSpecular = {-151, -162, -182, -203, -228, -257, -285, -317,
-                                         -346, -376, -410, -439, -472, -503, -535, -565};
 // R.V turns twice as fast.
 inline constexpr int kReflected = 32;
 // quad-cosine bends under a peak where sqrt(n) l is more than this.

@@ -14,7 +14,7 @@ class QuadCosineShader {
  public:
   static constexpr int kLatency = 0;
 
-  explicit QuadCosineShader(const std::array<CurveSeed, kCosines>& seed) {
+  explicit QuadCosineShader(const std::array<CurveSeed, kCurves>& seed) {
     for (int j = 0; j < kLanes; ++j) {
       n_dot_l_[static_cast<size_t>(j)] = QuadCosine(seed[0], j, kLanes);
       n_dot_h_or_v_[static_cast<size_t>(j)] = QuadCosine(seed[1], j, kLanes);

@@ -6,6 +6,7 @@
 #include "model/normal/adaptive_shader.h"
 #include "model/normal/linear_shader.h"
 #include "model/normal/phong_direct.h"
+#include "model/normal/phong_surface_shader.h"
 #include "model/normal/slerp_shader.h"
 #include "model/normal/taylor_normalizer.h"
 
@@ -19,6 +20,7 @@ constexpr int CosineLatency(Method method) {
   switch (method) {
     case Method::kPhong: return LinearShader<PhongDirect, 1>::kLatency;
     case Method::kPhongTaylor: return LinearShader<TaylorNormalizer, 1>::kLatency;
+    case Method::kPhongSurface: return PhongSurfaceShader<1>::kLatency;
     case Method::kPhongDuff: return DuffShader<1>::kLatency;
     case Method::kSlerp: return SlerpShader<1>::kLatency;
     case Method::kSlerpPaper: return SlerpPaperShader<1>::kLatency;

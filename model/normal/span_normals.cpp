@@ -56,26 +56,6 @@ void AttachLinear(const TriangleGeometry& geometry, const TrianglePacket& packet
   }
 }
 
-
-void AttachUnit(const TriangleGeometry& geometry, const TrianglePacket& packet, size_t first_span,
-                std::vector<SpanCommand>* spans) {
-  const int x = (*spans)[first_span].x, y = (*spans)[first_span].y;
-  std::array<Plane, 3> plane;
-  for (size_t c = 0; c < 3; ++c) plane[c] = NormalPlane(geometry, packet, c, x, y);
-  for (size_t i = first_span; i < spans->size(); ++i) {
-    SpanCommand& span = (*spans)[i];
-    const auto at = [&](int pixel) {
-      ArcVector v;  // halved, as in UnitOf
-      for (size_t c = 0; c < 3; ++c) {
-        v[c] = static_cast<int64_t>(plane[c].At(pixel - x, span.y - y)) *
-               (int64_t{1} << (kArcFraction - 1 - kPlaneFraction));
-      }
-      return Rounded(UnitOf(v));
-    };
-    span.normal = {at(span.x), at(LastPixel(span))};
-  }
-}
-
 // S2.60
 int64_t Dot(const std::array<SpanNormal, 2>& ends) {
   int64_t sum = 0;
@@ -140,11 +120,7 @@ int64_t SpanNormals::Attach(const TriangleGeometry& geometry, const TrianglePack
   if (interpolation == Interpolation::kSpherical) {
     return AttachSpherical(geometry, packet, first_span, dz_dx, spans);
   }
-  if (interpolation == Interpolation::kUnit) {
-    AttachUnit(geometry, packet, first_span, spans);
-  } else {
-    AttachLinear(geometry, packet, first_span, spans);
-  }
+  AttachLinear(geometry, packet, first_span, spans);
   return 0;
 }
 

@@ -12,7 +12,6 @@ namespace shading {
 //
 //   kLinear      N = sum lambda_i N_i, not normalised, N_i as in the packet: a plane a component,
 //                48 fraction bits modulo 2^64, counted from a covered pixel. 0.516 ulp.
-//   kUnit        the same, normalised, where the N_i turn by at most 60 degrees. 0.6 ulp.
 //   kSpherical   unit N_i, slerp along the left and the right edge to the row's centre line,
 //                slerp between them along the row: paper 000 (2). Edges step by (7), one step a
 //                row.
@@ -34,7 +33,7 @@ class SpanNormals {
       0.6,
       "components; spherical: normals of an edge and of a row up to 170 degrees apart"};
 
-  enum class Interpolation { kLinear, kUnit, kSpherical };
+  enum class Interpolation { kLinear, kSpherical };
 
   // Fills the normals of the spans from index first_span on, which SpanWalker appended for this
   // triangle; dz_dx is for the depth of split spans. Returns the number of spans that it split.

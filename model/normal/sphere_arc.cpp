@@ -24,10 +24,6 @@ ArcVector UnitOf(const Vector3& normal) {
   for (size_t c = 0; c < 3; ++c) {
     v[c] = normal[c].raw() * (int64_t{1} << (kArcFraction - 1 - NormalComponent::kFraction));
   }
-  return UnitOf(v);
-}
-
-ArcVector UnitOf(const ArcVector& v) {
   const Root length = LengthOf(v);
   return length.root == 0 ? ArcVector{0, 0, kArcOne} : ScaledBy(v, length);
 }

@@ -33,8 +33,6 @@ class SphereArc {
 
 // The unit vector along a packet's normal; {0, 0, 1} for zero.
 ArcVector UnitOf(const Vector3& normal);
-// Of a vector of length 2^-20..1 in S3.60; (0, 0, 1) for 0.
-ArcVector UnitOf(const ArcVector& v);
 
 // Unit vector at right angles to v, the same for -v: the part that v leaves of the axis of its
 // smallest component. Components within 2^-20 of the smallest count as equal, the first one wins.

@@ -121,9 +121,7 @@ bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geomet
     using Interpolation = SpanNormals::Interpolation;
     work->split_spans += SpanNormals::Attach(
         geometry, packet,
-        !IsSpherical(choice.method)  ? Interpolation::kLinear
-        : method_ == Method::kAuto ? Interpolation::kUnit
-                                   : Interpolation::kSpherical,
+        IsSpherical(choice.method) ? Interpolation::kSpherical : Interpolation::kLinear,
         first, triangle.dz_dx, &work->spans);
   } else {
     fit_.Fit(packet, geometry, choice, origin.x, origin.y, &triangle);
@@ -139,7 +137,7 @@ bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geomet
 }
 
 Choice FrontEnd::Choose(const TrianglePacket& packet, TriangleState* triangle) const {
-  if (method_ != Method::kAuto) return {method_, false, false, 7};
+  if (method_ != Method::kAuto) return ChoiceOf(method_);
   triangle->range = fit_.Range(packet);
   return MethodChoice::Of(triangle->range, limits_[static_cast<size_t>(packet.material)],
                           frame_.lighting);

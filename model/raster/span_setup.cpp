@@ -61,8 +61,8 @@ void SpanSetup::Seed(Method method, const TriangleState& triangle, const SpanCom
   SpanBinder::Bind(triangle, span, seed);
   const Position at = {static_cast<uint64_t>(span.x - triangle.origin_x),
                        static_cast<uint64_t>(span.y - triangle.origin_y)};
-  if (method == Method::kQuadCosine) {
-    for (size_t i = 0; i < kCosines; ++i) seed->cosine[i] = QuadSeed(triangle.cosine[i], at);
+  if (InterpolatesCosines(method)) {
+    for (size_t i = 0; i < kCurves; ++i) seed->curve[i] = QuadSeed(triangle.curve[i], at);
     return;
   }
   for (size_t ch = 0; ch < kChannels; ++ch) SeedChannel(method, triangle, ch, at, seed);

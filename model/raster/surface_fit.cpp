@@ -56,6 +56,20 @@ BasicSurface<Coefficient> FitQuadratic(const std::array<Plane, 3>& barycentric,
           RoundSum<Coefficient, Node>(e), RoundSum<Coefficient, Node>(f, bias)};
 }
 
+template <typename Coefficient, typename Node>
+BasicSurface<Coefficient> FitPlane(const std::array<Plane, 3>& barycentric,
+                                   const std::array<Node, 3>& corner, uint64_t bias) {
+  Uint128 d = 0, e = 0, f = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    const Uint128 value = Raw(corner[i]) << kBarycentric;
+    d += Wide(barycentric[i].dx) * value;
+    e += Wide(barycentric[i].dy) * value;
+    f += Wide(barycentric[i].at_origin) * value;
+  }
+  const auto round = RoundSum<Coefficient, Node>;
+  return {{}, {}, {}, round(d, 0), round(e, 0), round(f, bias)};
+}
+
 }  // namespace
 
 Surface SurfaceFit::Constant(Intensity value) {
@@ -67,15 +81,7 @@ Surface SurfaceFit::Constant(Intensity value) {
 
 Surface SurfaceFit::Linear(const std::array<Plane, 3>& barycentric,
                            const std::array<Intensity, 3>& corner) {
-  Uint128 d = 0, e = 0, f = 0;
-  for (size_t i = 0; i < 3; ++i) {
-    const Uint128 value = Raw(corner[i]) << kBarycentric;
-    d += Wide(barycentric[i].dx) * value;
-    e += Wide(barycentric[i].dy) * value;
-    f += Wide(barycentric[i].at_origin) * value;
-  }
-  const auto round = RoundSum<IntensityAcc, Intensity>;
-  return {{}, {}, {}, round(d, 0), round(e, 0), round(f, kHalfCode)};
+  return FitPlane<IntensityAcc>(barycentric, corner, kHalfCode);
 }
 
 Surface SurfaceFit::Quadratic(const std::array<Plane, 3>& barycentric, const SurfaceNodes& nodes) {
@@ -110,6 +116,16 @@ IntensityAcc SurfaceFit::FootprintMean(const TriangleGeometry& geometry,
 
 CosineSurface SurfaceFit::OfCosine(const std::array<Plane, 3>& barycentric,
                                    const Nodes<Cosine>& nodes) {
+  return FitQuadratic<CosineAcc>(barycentric, nodes, 0);
+}
+
+CosineSurface SurfaceFit::PlaneOfCosine(const std::array<Plane, 3>& barycentric,
+                                        const std::array<Cosine, 3>& corner) {
+  return FitPlane<CosineAcc>(barycentric, corner, 0);
+}
+
+CosineSurface SurfaceFit::OfSquare(const std::array<Plane, 3>& barycentric,
+                                   const Nodes<LengthSquare>& nodes) {
   return FitQuadratic<CosineAcc>(barycentric, nodes, 0);
 }
 

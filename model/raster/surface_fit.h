@@ -4,6 +4,7 @@
 #include <array>
 
 #include "model/light/cosine.h"
+#include "model/normal/normal_types.h"
 #include "model/raster/triangle_setup.h"
 #include "model/shading_types.h"
 #include "model/triangle_packet.h"
@@ -56,6 +57,11 @@ class SurfaceFit {
   static IntensityAcc FootprintMean(const TriangleGeometry& geometry, const SurfaceNodes& nodes);
   static CosineSurface OfCosine(const std::array<Plane, 3>& barycentric,
                                 const Nodes<Cosine>& nodes);
+  // N.L of the linear normal, and its |N|^2: exact, but for rounding.
+  static CosineSurface PlaneOfCosine(const std::array<Plane, 3>& barycentric,
+                                     const std::array<Cosine, 3>& corner);
+  static CosineSurface OfSquare(const std::array<Plane, 3>& barycentric,
+                                const Nodes<LengthSquare>& nodes);
 };
 
 }  // namespace shading

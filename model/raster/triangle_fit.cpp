@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/raster/triangle_fit.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "model/choice/method_choice.h"
@@ -14,6 +15,20 @@ namespace {
 template <typename Value>
 Value Mean(Value a, Value b) {
   return Value::FromRaw((a.raw() + b.raw() + 1) >> 1);
+}
+
+// |sum of the normals / 2^halvings|^2, rounded to nearest.
+template <size_t kCount>
+LengthSquare SquareOf(const std::array<Vector3, kCount>& normals, int halvings) {
+  int64_t square = 0;
+  for (size_t c = 0; c < 3; ++c) {
+    int64_t sum = 0;
+    for (const Vector3& normal : normals) sum += normal[c].raw();
+    square += sum * sum;
+  }
+  const int64_t half = halvings == 0 ? 0 : int64_t{1} << (2 * halvings - 1);
+  constexpr int64_t kMost = (int64_t{1} << (LengthSquare::kWidth - 1)) - 1;
+  return LengthSquare::FromRaw(std::min((square + half) >> (2 * halvings), kMost));
 }
 
 // Of one channel or cosine, from what `value` reads at each corner and each defined middle.
@@ -93,6 +108,7 @@ void TriangleFit::Fit(const TrianglePacket& packet, const TriangleGeometry& geom
   const auto plane = TriangleSetup::Barycentrics(geometry, x, y);
   if (choice.method == Method::kQuadSplit) return FitTerms(corners, material, plane, triangle);
   if (choice.method == Method::kQuadCosine) return FitCosines(corners, plane, triangle);
+  if (choice.method == Method::kPhongSurface) return FitNormal(corners, plane, triangle);
   FitIntensities(choice.method, corners, material, geometry, plane, triangle);
 }
 
@@ -145,10 +161,26 @@ void TriangleFit::FitCosines(const Corners& corners, const std::array<Plane, 3>&
   const auto middle = corners.Middles();
   const auto n_dot_l = [](const LightCosines& c) { return c.n_dot_l; };
   const auto n_dot_h_or_v = [](const LightCosines& c) { return c.n_dot_h_or_v; };
-  triangle->cosine[0] =
+  triangle->curve[0] =
       SurfaceFit::OfCosine(plane, NodesOf<Cosine>(corners.cosines, middle, n_dot_l));
-  triangle->cosine[1] =
+  triangle->curve[1] =
       SurfaceFit::OfCosine(plane, NodesOf<Cosine>(corners.cosines, middle, n_dot_h_or_v));
+}
+
+// Of the linear normal N: N.L and N.H or N.V, planes, and |N|^2.
+void TriangleFit::FitNormal(const Corners& corners, const std::array<Plane, 3>& plane,
+                            TriangleState* triangle) {
+  std::array<Cosine, 3> n_dot_l, n_dot_h_or_v;
+  Nodes<LengthSquare> square;
+  for (size_t i = 0; i < 3; ++i) {
+    n_dot_l[i] = corners.cosines[i].n_dot_l;
+    n_dot_h_or_v[i] = corners.cosines[i].n_dot_h_or_v;
+    square.corner[i] = SquareOf<1>({corners.normal[i]}, 0);
+    square.middle[i] = SquareOf<2>({corners.normal[(i + 1) % 3], corners.normal[(i + 2) % 3]}, 1);
+  }
+  triangle->curve[0] = SurfaceFit::PlaneOfCosine(plane, n_dot_l);
+  triangle->curve[1] = SurfaceFit::PlaneOfCosine(plane, n_dot_h_or_v);
+  triangle->curve[2] = SurfaceFit::OfSquare(plane, square);
 }
 
 }  // namespace shading

@@ -33,6 +33,8 @@ class TriangleFit {
                 TriangleState* triangle) const;
   void FitCosines(const Corners& corners, const std::array<Plane, 3>& plane,
                   TriangleState* triangle) const;
+  static void FitNormal(const Corners& corners, const std::array<Plane, 3>& plane,
+                        TriangleState* triangle);
 
   const FrameState& frame_;
   LightState light_state_;

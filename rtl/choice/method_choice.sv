@@ -7,7 +7,7 @@
 //
 // of the diffuse and the specular light, both sums of logarithms of the material, of the turn l of
 // the normals, of n and of the brightest highlight on the triangle. First of flat, gouraud, quad,
-// quad-cosine, slerp-intensity; phong-duff where none is good enough.
+// quad-cosine; else one that is exact, phong-surface up to a turn of 104 degrees, phong-duff beyond.
 //
 // Timing    Combinational.
 // Formats   turn U2.22, cosines S1.16, logarithms S6.5 in and S8.5 inside, rounded up.
@@ -38,13 +38,14 @@ module method_choice
   localparam sum_t QuadDiffuse    = -14'sd129;
   localparam sum_t QuadKink       = -14'sd61;
   localparam sum_t CosineDiffuse  = -14'sd127;
-  localparam sum_t SlerpDiffuse   = -14'sd131;
   localparam sum_t Reflected      = 14'sd32;
   localparam sum_t Wide           = 14'sd20;
 
-  localparam int unsigned Candidates = 5;
+  localparam u2_22_t SurfaceTurn = 24'ha00000;  // 2.5: |N|^2 is at least 1/6
+
+  localparam int unsigned Candidates = 4;
   localparam method_e Candidate [Candidates] = '{
-    MethodFlat, MethodGouraud, MethodQuad, MethodQuadCosine, MethodSlerpIntensity};
+    MethodFlat, MethodGouraud, MethodQuad, MethodQuadCosine};
 
   function automatic sum_t larger(sum_t a, sum_t b);
     larger = a > b ? a : b;
@@ -144,27 +145,25 @@ module method_choice
   // A dropped highlight may be missing on one side of an edge.
   assign dropped = larger(specular - highlight + OneLog, ZeroLog);
 
-  sum_t flat, gouraud, quad, cosine, slerp;
+  sum_t flat, gouraud, quad, cosine;
   method_choice_table u_table (
     .highlight_i(highlight[9:0]), .flat_o(flat), .gouraud_o(gouraud), .quad_o(quad),
-    .cosine_o(cosine), .slerp_o(slerp));
+    .cosine_o(cosine));
 
   sum_t diffuse_log [Candidates];
   sum_t specular_log [Candidates];
   logic [Candidates-1:0] good, allowed;
 
-  assign allowed = {straight, straight, whole, whole, straight && (blinn || dark)};
+  assign allowed = {straight, whole, whole, straight && (blinn || dark)};
   always_comb begin
     diffuse_log[0] = diffuse + l1 + FlatDiffuse;
     diffuse_log[1] = diffuse + (terminator ? l1 + GouraudKink : turn + GouraudDiffuse);
     diffuse_log[2] = diffuse + (terminator ? l1 + QuadKink : l3 + QuadDiffuse);
     diffuse_log[3] = larger(diffuse + l3 + CosineDiffuse, ZeroLog);
-    diffuse_log[4] = diffuse + l3 + SlerpDiffuse;
     specular_log[0] = specular + w1 + few + flat;
     specular_log[1] = specular + w2 + gouraud;
     specular_log[2] = specular + w3 + few + quad;
     specular_log[3] = specular + root + bend + cosine;
-    specular_log[4] = specular + root + slerp;
     for (int unsigned k = 0; k < Candidates; k++) begin
       good[k] = allowed[k] &&
                 is_within(lit || Candidate[k] == MethodQuadCosine ? diffuse_log[k] : ZeroLog,
@@ -176,7 +175,7 @@ module method_choice
     choice_o.dark     = dark;
     choice_o.ambient  = dark && !lit;
     choice_o.channels = limit_i.channels;
-    choice_o.method   = MethodPhongDuff;
+    choice_o.method   = range_i.turn <= SurfaceTurn ? MethodPhongSurface : MethodPhongDuff;
     for (int k = int'(Candidates) - 1; k >= 0; k--) begin
       if (good[k]) choice_o.method = Candidate[k];
     end

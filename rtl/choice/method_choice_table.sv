@@ -12,8 +12,7 @@ module method_choice_table (
   output logic signed [13:0] flat_o,       // over 255 ks sqrt(n) l
   output logic signed [13:0] gouraud_o,    // over 255 ks n l^2
   output logic signed [13:0] quad_o,       // over 255 ks (sqrt(n) l)^3
-  output logic signed [13:0] cosine_o,     // over 255 ks sqrt(n) l^3
-  output logic signed [13:0] slerp_o       // over 255 ks sqrt(n) l^3
+  output logic signed [13:0] cosine_o      // over 255 ks sqrt(n) l^3
 );
   typedef logic signed [13:0] sum_t;
 
@@ -29,9 +28,6 @@ module method_choice_table (
   localparam sum_t Cosine [16] = '{
     -14'sd146, -14'sd155, -14'sd174, -14'sd196, -14'sd222, -14'sd249, -14'sd278, -14'sd307,
     -14'sd337, -14'sd366, -14'sd397, -14'sd428, -14'sd459, -14'sd491, -14'sd522, -14'sd556};
-  localparam sum_t Slerp [16] = '{
-    -14'sd151, -14'sd162, -14'sd182, -14'sd203, -14'sd228, -14'sd257, -14'sd285, -14'sd317,
-    -14'sd346, -14'sd376, -14'sd410, -14'sd439, -14'sd472, -14'sd503, -14'sd535, -14'sd565};
 
   logic [3:0] entry;
   logic [4:0] fraction;
@@ -46,5 +42,4 @@ module method_choice_table (
   assign gouraud_o = Gouraud[entry] - fall;
   assign quad_o    = Quad[entry] - fall;
   assign cosine_o  = Cosine[entry] - fall;
-  assign slerp_o   = Slerp[entry] - fall;
 endmodule

@@ -42,7 +42,7 @@ module lit_pixels
   input  kappa_t [1:0]                               step_kappa_i,
   input  arc_t                                       arc_i,
   input  span_footprint_t                            footprint_i,
-  input  curve_seed_t [Cosines-1:0]                  cosine_i,
+  input  curve_seed_t [Curves-1:0]                   curve_i,
   input  pixel_normal_t [Lanes-1:0][Components-1:0]  group_i,   // adaptive methods, from the walker
 
   // From the walker.
@@ -77,7 +77,7 @@ module lit_pixels
 
   normal_shader #(.Methods(Methods), .HasAuto(HasAuto), .Lanes(Lanes)) u_normal_shader (
     .clk_i, .rst_ni, .method_i, .light_i, .choice_i,
-    .load_i, .step_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i, .cosine_i, .group_i,
+    .load_i, .step_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i, .curve_i, .group_i,
     .footprint_i,
     .pixel_valid_i(enter_valid_i),
     .pixel_ready_o(enter_ready_o),

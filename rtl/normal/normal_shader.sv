@@ -3,9 +3,10 @@
 // The methods that light every pixel: cosines of every pixel, for every lane.
 //
 //   quad-cosine      quad_cosine x 2
+//   phong-surface    quad_cosine x 2       -> duff_cosines
 //   phong            linear_recurrence x 3 -> phong_direct      -> dot_product x 2
 //   phong-taylor     linear_recurrence x 3 -> taylor_normalizer -> dot_product x 2
-//   phong-duff       linear_recurrence x 2 + length_recurrence  -> duff_normalizer
+//   phong-duff       linear_recurrence x 2 -> duff_cosines
 //   slerp            slerp_recurrence x 3                       -> dot_product x 2
 //   slerp-paper      slerp_paper x 3                            -> dot_product x 2
 //   slerp-direct     slerp_direct                               -> dot_product x 2
@@ -46,7 +47,7 @@ module normal_shader
   input  kappa_t                                     kappa_i,       // of one stride
   input  kappa_t [1:0]                               step_kappa_i,  // of one and of two pixels
   input  arc_t                                       arc_i,
-  input  curve_seed_t [Cosines-1:0]                  cosine_i,
+  input  curve_seed_t [Curves-1:0]                  curve_i,
   input  pixel_normal_t [Lanes-1:0][Components-1:0]  group_i,       // adaptive, with the pixels
   input  span_footprint_t                            footprint_i,
 
@@ -67,6 +68,8 @@ module normal_shader
   output sample_counters_t     samples_o      // since clear_i
 );
   localparam bit HasDuff = Methods[MethodPhongDuff];
+  localparam bit HasSurface = Methods[MethodPhongSurface];
+  localparam bit HasCurve = |(Methods & CurveMethods);
   localparam bit HasSlerp = Methods[MethodSlerp];
   localparam bit HasPaper = Methods[MethodSlerpPaper];
   localparam bit HasIntensity = Methods[MethodSlerpIntensity];
@@ -81,16 +84,18 @@ module normal_shader
 
   // What a span wants: of the one that starts, and of the one inside.
   typedef struct packed {
-    logic linear, reinsch, paper, direct, duff, cosine, intensity;
+    logic linear, reinsch, paper, direct, length, surface, curve, intensity;
   } kind_t;
   function automatic kind_t kind_of(method_e method);
-    kind_of.duff      = is_method(Methods, method, MethodPhongDuff);
+    kind_of.surface   = is_method(Methods, method, MethodPhongSurface);
+    kind_of.length    = is_method(Methods, method, MethodPhongDuff) || kind_of.surface;
     kind_of.intensity = is_method(Methods, method, MethodSlerpIntensity);
     kind_of.reinsch   = is_method(Methods, method, MethodSlerp) || kind_of.intensity;
     kind_of.paper     = is_method(Methods, method, MethodSlerpPaper);
     kind_of.direct    = is_method(Methods, method, MethodSlerpDirect);
-    kind_of.cosine    = is_method(Methods, method, MethodQuadCosine);
-    kind_of.linear    = is_method(Methods, method, MethodPhong) || kind_of.duff ||
+    kind_of.curve     = is_any_of(Methods, method, CurveMethods);
+    kind_of.linear    = is_method(Methods, method, MethodPhong) ||
+                        is_method(Methods, method, MethodPhongDuff) ||
                         is_method(Methods, method, MethodPhongTaylor) ||
                         is_any_of(Methods, method, FootprintMethods);
   endfunction
@@ -107,8 +112,7 @@ module normal_shader
   // Recurrences //
   /////////////////
 
-  quantity_t  [Components-1:0][Lanes-1:0] linear, reinsch, paper;
-  length_sq_t [Lanes-1:0]                 length_sq;
+  quantity_t [Components-1:0][Lanes-1:0] linear, reinsch, paper;
 
   for (genvar q = 0; q < Components; q++) begin : gen_quantity
     logic load, step;                // N.H of a dark span holds
@@ -169,7 +173,7 @@ module normal_shader
   assign valid_o = lane_valid[0];
 
   for (genvar lane = 0; lane < Lanes; lane++) begin : gen_cosines
-    logic     dot_valid, duff_valid, late_valid;
+    logic     dot_valid, duff_valid, late_valid, at_once;
     cosines_t dot, duff, interpolated, curved, straight, late;
 
     if (HasVector) begin : gen_vector
@@ -188,52 +192,50 @@ module normal_shader
       assign dot       = '0;
     end
 
-    if (HasDuff) begin : gen_duff
-      quantity_t n_dot_h_or_v;
-      assign n_dot_h_or_v = is_auto && choice_q.dark ? '0 : linear[1][lane];
-      length_recurrence u_length_recurrence (
-        .clk_i, .load_i(load_i && starts.duff), .step_i(step_i && now.duff),
-        .seed_i(length_i[lane]), .value_o(length_sq[lane]));
-      duff_normalizer u_duff_normalizer (
-        .clk_i, .rst_ni, .valid_i(leaves && now.duff), .n_dot_l_i(linear[0][lane]),
-        .n_dot_h_or_v_i(n_dot_h_or_v), .length_sq_i(length_sq[lane]),
-        .valid_o(duff_valid), .cosines_o(duff));
-    end else begin : gen_no_duff
-      assign length_sq[lane] = '0;
-      assign duff_valid      = 1'b0;
-      assign duff            = '0;
-    end
-
-    if (Methods[MethodQuadCosine]) begin : gen_curve
+    if (HasCurve) begin : gen_curve
       quad_cosine #(.Lane(lane), .Lanes(Lanes)) u_n_dot_l_curve (
-        .clk_i, .load_i(load_i && starts.cosine), .step_i(step_i && now.cosine),
-        .seed_i(cosine_i[0]), .cosine_o(curved.n_dot_l));
+        .clk_i, .load_i(load_i && starts.curve), .step_i(step_i && now.curve),
+        .seed_i(curve_i[0]), .cosine_o(curved.n_dot_l));
       quad_cosine #(.Lane(lane), .Lanes(Lanes)) u_n_dot_h_or_v_curve (
-        .clk_i, .load_i(load_i && starts.cosine && !(is_auto && choice_i.dark)),
-        .step_i(step_i && now.cosine && !(is_auto && choice_q.dark)),
-        .seed_i(cosine_i[1]), .cosine_o(curved.n_dot_h_or_v));
+        .clk_i, .load_i(load_i && starts.curve && !(is_auto && choice_i.dark)),
+        .step_i(step_i && now.curve && !(is_auto && choice_q.dark)),
+        .seed_i(curve_i[1]), .cosine_o(curved.n_dot_h_or_v));
     end else begin : gen_no_curve
       assign curved = '0;
     end
 
+    if (HasDuff || HasSurface) begin : gen_duff
+      duff_cosines #(.Methods(Methods), .Lane(lane), .Lanes(Lanes)) u_duff_cosines (
+        .clk_i, .rst_ni, .load_i(load_i && starts.length), .step_i(step_i && now.length),
+        .load_surface_i(starts.surface), .surface_i(now.surface),
+        .length_i(length_i[lane]), .square_i(curve_i[2]),
+        .valid_i(leaves && now.length), .dark_i(is_auto && choice_q.dark),
+        .n_dot_l_i(linear[0][lane]), .n_dot_h_or_v_i(linear[1][lane]), .curved_i(curved),
+        .valid_o(duff_valid), .cosines_o(duff));
+    end else begin : gen_no_duff
+      assign duff_valid = 1'b0;
+      assign duff       = '0;
+    end
+
     assign interpolated.n_dot_l      = quantity_to_cosine(reinsch[0][lane]);
     assign interpolated.n_dot_h_or_v = quantity_to_cosine(reinsch[1][lane]);
-    assign straight                  = now.cosine ? curved : interpolated;
+    assign at_once                   = now.intensity || (now.curve && !now.surface);
+    assign straight                  = now.curve ? curved : interpolated;
 
     if (HasAuto) begin : gen_delay
       cosine_delay u_cosine_delay (
-        .clk_i, .rst_ni, .valid_i(is_auto && leaves && (now.cosine || now.intensity)),
-        .cosines_i(straight), .valid_o(late_valid), .cosines_o(late));
+        .clk_i, .rst_ni, .valid_i(is_auto && leaves && at_once),
+        .cosines_i(curved), .valid_o(late_valid), .cosines_o(late));
     end else begin : gen_no_delay
       assign late_valid = 1'b0;
       assign late       = '0;
     end
 
-    assign lane_valid[lane] = is_auto                     ? duff_valid || late_valid
-                            : now.intensity || now.cosine ? leaves
-                            : now.duff                    ? duff_valid : dot_valid;
-    assign cosines_o[lane]  = is_auto                     ? (duff_valid ? duff : late)
-                            : now.intensity || now.cosine ? straight
-                            : now.duff                    ? duff : dot;
+    assign lane_valid[lane] = is_auto    ? duff_valid || late_valid
+                            : at_once    ? leaves
+                            : now.length ? duff_valid : dot_valid;
+    assign cosines_o[lane]  = is_auto    ? (duff_valid ? duff : late)
+                            : at_once    ? straight
+                            : now.length ? duff : dot;
   end
 endmodule

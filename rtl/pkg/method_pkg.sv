@@ -21,23 +21,24 @@ package method_pkg;
     MethodQuadFootprint       = 5'd11,
     MethodQuadSplit           = 5'd12,
     MethodQuadCosine          = 5'd13,
-    MethodPhong               = 5'd14,
-    MethodPhongTaylor         = 5'd15,
-    MethodPhongDuff           = 5'd16,
-    MethodSlerp               = 5'd17,
-    MethodSlerpPaper          = 5'd18,
-    MethodSlerpIntensity      = 5'd19,
-    MethodSlerpDirect         = 5'd20,
-    MethodAdaptive            = 5'd21,
-    MethodAdaptivePaper       = 5'd22,
-    MethodAdaptiveChord       = 5'd23,
-    MethodFootprint           = 5'd24,
-    MethodFootprintPaper      = 5'd25,
-    MethodAuto                = 5'd26         // of a frame: each triangle has its own
+    MethodPhongSurface        = 5'd14,
+    MethodPhong               = 5'd15,
+    MethodPhongTaylor         = 5'd16,
+    MethodPhongDuff           = 5'd17,
+    MethodSlerp               = 5'd18,
+    MethodSlerpPaper          = 5'd19,
+    MethodSlerpIntensity      = 5'd20,
+    MethodSlerpDirect         = 5'd21,
+    MethodAdaptive            = 5'd22,
+    MethodAdaptivePaper       = 5'd23,
+    MethodAdaptiveChord       = 5'd24,
+    MethodFootprint           = 5'd25,
+    MethodFootprintPaper      = 5'd26,
+    MethodAuto                = 5'd27         // of a frame: each triangle has its own
   } method_e;
 
   // Which methods a build contains: bit k stands for the method with value k.
-  localparam int unsigned NumMethods = 27;
+  localparam int unsigned NumMethods = 28;
   typedef logic [NumMethods-1:0] methods_t;
   localparam methods_t AllMethods = '1;
   function automatic methods_t method_bit(method_e method);
@@ -45,16 +46,19 @@ package method_pkg;
   endfunction
 
   // Methods that interpolate along a surface, by span_setup; the others interpolate normals.
-  localparam methods_t SurfaceMethods = 27'h0003fff;
+  localparam methods_t SurfaceMethods = 28'h0007fff;
   // Methods that light every pixel, by lit_pixels; the others interpolate intensities.
-  localparam methods_t LitMethods = 27'h3ffe000;
+  localparam methods_t LitMethods = 28'h7ffe000;
   // Methods that show interpolated intensities, and methods that interpolate normals.
-  localparam methods_t IntensityMethods = 27'h0001fff;
-  localparam methods_t NormalMethods = 27'h3ffc000;
+  localparam methods_t IntensityMethods = 28'h0001fff;
+  localparam methods_t NormalMethods = 28'h7ff8000;
   // Methods whose normals come from adaptive_normalizer, not from recurrences of normal_setup.
-  localparam methods_t AdaptiveMethods = 27'h0e00000;
+  localparam methods_t AdaptiveMethods = 28'h1c00000;
   // Methods that light several samples of a pixel and show their mean.
-  localparam methods_t FootprintMethods = 27'h3000000;
+  localparam methods_t FootprintMethods = 28'h6000000;
+  // Methods whose surfaces are of cosines.
+  localparam methods_t CurveMethods =
+    method_bit(MethodQuadCosine) | method_bit(MethodPhongSurface);
   // Surfaces of second order whose spans start from differences of rows.
   localparam methods_t PointMethods =
     method_bit(MethodQuadPolynomial) | method_bit(MethodQuadHorner);
@@ -72,7 +76,7 @@ package method_pkg;
   // Methods that method_choice chooses from. MethodAuto belongs to none of the sets above.
   localparam methods_t ChosenMethods =
     method_bit(MethodFlat) | method_bit(MethodGouraud) | method_bit(MethodQuad) |
-    method_bit(MethodQuadCosine) | method_bit(MethodPhongDuff) | method_bit(MethodSlerpIntensity);
+    method_bit(MethodQuadCosine) | method_bit(MethodPhongSurface) | method_bit(MethodPhongDuff);
 
   // How far the normals of a triangle turn, and the cosines at its vertices, rounded outwards.
   typedef struct packed {

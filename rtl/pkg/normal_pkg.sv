@@ -138,4 +138,9 @@ package normal_pkg;
   function automatic cosine_t quantity_to_cosine(quantity_t value);
     quantity_to_cosine = to_cosine(35'((41'(value) + 41'sd128) >>> 8));
   endfunction
+
+  // S1.30 -> S1.38.
+  function automatic quantity_t cosine_to_quantity(cosine_t cosine);
+    cosine_to_quantity = {cosine, 8'd0};
+  endfunction
 endpackage

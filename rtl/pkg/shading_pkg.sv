@@ -38,7 +38,7 @@ package shading_pkg;
     cosine_acc_t e;
     cosine_acc_t f;
   } cosine_surface_t;
-  localparam int unsigned Cosines = 2;       // N.L, and N.H or N.V
+  localparam int unsigned Curves = 3;        // N.L; N.H or N.V; phong-surface: |N|^2
 
   // The surface of one channel and a pixel on it.
   typedef struct packed {
@@ -61,7 +61,7 @@ package shading_pkg;
     light_range_t            range;          // auto
     angle_limit_t            limit;          // adaptive methods
     footprint_t              footprint;      // footprint methods
-    cosine_surface_t [Cosines-1:0]  cosine;  // quad-cosine
+    cosine_surface_t [Curves-1:0]   curve;   // quad-cosine, phong-surface
     intensity_acc_t  [Channels-1:0] ambient; // quad-split: with the half code
     surface_t        [Channels-1:0] specular; // quad-split
     surface_t        [Channels-1:0] surface; // intensity; quad-split: diffuse, no half code

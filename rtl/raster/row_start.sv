@@ -72,14 +72,18 @@ module row_start
     end
   end
 
+  // Idle operands hold still.
+  offset_t x;
+  assign x = is_quad || is_gouraud ? x_i : '0;
+
   value_t ax_q, product_q, base_q, difference_q, curvature_q, slope, first;
   assign slope = is_quad ? ax_q + slope_q : slope_q;
   assign first = HasQuad || HasGouraud ? base_q + product_q : base_q;
 
   always_ff @(posedge clk_i) begin
-    if (product_i && is_quad) ax_q <= a_q * value_t'(x_i);
+    if (product_i && is_quad) ax_q <= a_q * value_t'(x);
     if (finish_i) begin
-      product_q    <= is_quad || is_gouraud ? slope * value_t'(x_i) : '0;
+      product_q    <= is_quad || is_gouraud ? slope * value_t'(x) : '0;
       base_q       <= is_gouraud && next_row_i ? next_row : row_q;
       difference_q <= is_quad ? slope + ax_q + a_q : slope_q;
       curvature_q  <= is_quad ? a_q <<< 1 : '0;

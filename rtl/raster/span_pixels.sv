@@ -3,7 +3,7 @@
 // Pixels of the spans: the walker and the shaders that march with it.
 //
 //   seed -> pixel_walker + surface_shader -> pixel                       intensities
-//        -> pixel_walker + lit_pixels     -> pixel                       quad-cosine, normals
+//        -> pixel_walker + lit_pixels     -> pixel                       cosines, normals
 //        -> pixel_walker + surface_shader -> queue of lit_pixels -> pixel   auto: intensities
 //
 // A part of shading_unit and its page; it has no page of its own.
@@ -42,7 +42,7 @@ module span_pixels
   input  channel_seed_t  [Channels-1:0] channel_i,
   input  split_seed_t    [Channels-1:0] split_i,
   input  surface_point_t [Channels-1:0] point_i,
-  input  curve_seed_t    [Cosines-1:0]  cosine_i,
+  input  curve_seed_t    [Curves-1:0]   curve_i,
   input  quantity_seed_t [Components-1:0][Lanes-1:0] quantity_i,
   input  length_seed_t   [Lanes-1:0]                 length_i,
   input  kappa_t                                     kappa_i,
@@ -126,7 +126,7 @@ module span_pixels
       .load_i        (load_o && load_lit_o),
       .step_i        (step && lit_q),
       .index_i       (material_of_i),
-      .choice_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i, .footprint_i, .cosine_i,
+      .choice_i, .quantity_i, .length_i, .kappa_i, .step_kappa_i, .arc_i, .footprint_i, .curve_i,
       .group_i,
       .enter_valid_i (enter_valid),
       .enter_ready_o (queue_ready),

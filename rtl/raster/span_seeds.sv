@@ -2,7 +2,7 @@
 //
 // Set-up of a span by the method of its triangle.
 //
-//   triangle, span -> span_setup   -> run, seed, split, point; cosine and material      surfaces
+//   triangle, span -> span_setup   -> run, seed, split, point; curve and material       surfaces
 //                  -> normal_seeds -> run, material, quantity ..; group of normals      normals
 //                  -> both -> seed_queue -> in the order of the spans                   auto
 //
@@ -44,7 +44,7 @@ module span_seeds
   output seed_t                                      seed_o,     // of intensities
   output split_seed_t    [Channels-1:0]              split_o,    // quad-split
   output surface_point_t [Channels-1:0]              point_o,    // quad-polynomial, quad-horner
-  output curve_seed_t    [Cosines-1:0]               cosine_o,   // quad-cosine
+  output curve_seed_t    [Curves-1:0]                curve_o,    // quad-cosine, phong-surface
   output quantity_seed_t [Components-1:0][Lanes-1:0] quantity_o,
   output length_seed_t   [Lanes-1:0]                 length_o,
   output kappa_t                                     kappa_o,
@@ -77,7 +77,7 @@ module span_seeds
 
   typedef struct packed {
     seed_t                     seed;
-    curve_seed_t [Cosines-1:0] cosine;
+    curve_seed_t [Curves-1:0]  curve;
     material_index_t           material;
     choice_t                   choice;
   } surface_seed_t;
@@ -100,7 +100,7 @@ module span_seeds
   assign busy_o           = surface_busy || normal_busy || queue_busy;
   assign shown_seed       = is_auto ? queued_seed : surface_seed;
   assign seed_o           = shown_seed.seed;
-  assign cosine_o         = shown_seed.cosine;
+  assign curve_o          = shown_seed.curve;
   assign run_o            = is_normal ? lit_run.run : seed_o.run;
   assign material_o       = is_normal ? lit_run.material : shown_seed.material;
   assign choice_o         = is_normal ? lit_run.choice : shown_seed.choice;
@@ -148,7 +148,7 @@ module span_seeds
       .seed_ready_i    (surface_ready),
       .seed_o          (surface_seed.seed),
       .split_o,
-      .cosine_o        (surface_seed.cosine),
+      .curve_o         (surface_seed.curve),
       .point_o,
       .material_o      (surface_seed.material),
       .choice_o        (surface_seed.choice),

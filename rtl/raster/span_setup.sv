@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Span set-up of the methods that interpolate along a surface: row start and first difference of
-// three channels, of six for quad-split, of two cosines for quad-cosine.
+// three channels, of six for quad-split, of two cosines for quad-cosine, of these and of |N|^2 for
+// phong-surface.
 //
 //   quad ...  I = (Ax + P) x + R, rows by differences   paper 003 (9), (3): 2 products; row_start
 //   gouraud   I = D x + R,  R = E y + F                 1 product
@@ -45,8 +46,8 @@ module span_setup
   input  logic                         seed_ready_i,
   output seed_t                        seed_o,
   output split_seed_t   [Channels-1:0] split_o,     // quad-split
-  output curve_seed_t   [Cosines-1:0]  cosine_o,    // quad-cosine
-  output material_index_t              material_o,  // quad-cosine
+  output curve_seed_t   [Curves-1:0]   curve_o,     // quad-cosine, phong-surface
+  output material_index_t              material_o,  // likewise
   output choice_t                      choice_o,
   output surface_point_t [Channels-1:0] point_o,    // quad-polynomial, quad-horner
 
@@ -56,25 +57,27 @@ module span_setup
   localparam int unsigned Latency = 4;
   localparam int unsigned Interval = 2;
 
-  localparam methods_t Curves = RowMethods & Methods;
-  localparam bit HasQuad = Curves != '0;
+  localparam methods_t Rows = RowMethods & Methods;
+  localparam bit HasQuad = Rows != '0;
   localparam bit HasGouraud = Methods[MethodGouraud];
   localparam bit HasSplit = Methods[MethodQuadSplit];
-  localparam bit HasCosine = Methods[MethodQuadCosine];
+  localparam bit HasCurve = (Methods & CurveMethods) != '0;
   localparam bit HasPoint = (Methods & PointMethods) != '0;
-  localparam bit HasChannel = (Methods & ~PointMethods & ~method_bit(MethodQuadCosine)) != '0;
+  localparam bit HasChannel = (Methods & ~PointMethods & ~CurveMethods) != '0;
   // Of the triangle inside, and of the one that is taken.
   choice_t choice_q;
-  logic is_quad, is_gouraud, is_split, is_cosine, is_row;
-  logic load_row, load_cosine, load_split;
-  assign is_row      = is_any_of(Methods, choice_q.method, RowMethods);
-  assign is_split    = is_method(Methods, choice_q.method, MethodQuadSplit);
-  assign is_cosine   = is_method(Methods, choice_q.method, MethodQuadCosine);
-  assign is_gouraud  = is_method(Methods, choice_q.method, MethodGouraud);
-  assign is_quad     = is_row && !is_cosine;
-  assign load_row    = is_any_of(Methods, choice_i.method, RowMethods);
-  assign load_split  = is_method(Methods, choice_i.method, MethodQuadSplit);
-  assign load_cosine = is_method(Methods, choice_i.method, MethodQuadCosine);
+  logic is_quad, is_gouraud, is_split, is_curve, is_row, is_point;
+  logic load_row, load_channel, load_split, load_point;
+  assign is_row       = is_any_of(Methods, choice_q.method, RowMethods);
+  assign is_split     = is_method(Methods, choice_q.method, MethodQuadSplit);
+  assign is_curve     = is_any_of(Methods, choice_q.method, CurveMethods);
+  assign is_point     = is_any_of(Methods, choice_q.method, PointMethods);
+  assign is_gouraud   = is_method(Methods, choice_q.method, MethodGouraud);
+  assign is_quad      = is_row && !is_curve;
+  assign load_row     = is_any_of(Methods, choice_i.method, RowMethods);
+  assign load_split   = is_method(Methods, choice_i.method, MethodQuadSplit);
+  assign load_point   = is_any_of(Methods, choice_i.method, PointMethods);
+  assign load_channel = !load_point && !is_any_of(Methods, choice_i.method, CurveMethods);
 
   logic  triangle_valid_q;
   logic  span_valid_q;            // a span is in its steps
@@ -162,19 +165,19 @@ module span_setup
   // Surfaces //
   //////////////
 
-  logic form_product, run_cosine, write_channel, write_cosine;
-  assign form_product  = span_valid_q && advance && !product_q;
-  assign run_cosine    = is_method(Methods, run_choice_q.method, MethodQuadCosine);
-  assign write_channel = write_seed && !run_cosine;
-  assign write_cosine  = write_seed && run_cosine;
+  logic form_product, run_point, run_split, run_channel;
+  assign form_product = span_valid_q && advance && !product_q;
+  assign run_point    = is_any_of(Methods, run_choice_q.method, PointMethods);
+  assign run_split    = is_method(Methods, run_choice_q.method, MethodQuadSplit);
+  assign run_channel  = !run_point && !is_any_of(Methods, run_choice_q.method, CurveMethods);
 
   for (genvar ch = 0; ch < Channels; ch++) begin : gen_channel
     if (HasChannel) begin : gen_rows
       row_start #(.HasQuad(HasQuad), .HasGouraud(HasGouraud)) u_row_start (
         .clk_i, .is_quad_i(is_quad), .is_gouraud_i(is_gouraud),
-        .load_i(take_triangle && !load_cosine), .load_quad_i(load_row),
+        .load_i(take_triangle && load_channel), .load_quad_i(load_row),
         .surface_i(triangle_i.surface[ch]), .next_row_i(next_row),
-        .product_i(form_product), .finish_i(last_step && !is_cosine), .write_i(write_channel),
+        .product_i(form_product), .finish_i(last_step && !is_curve && !is_point), .write_i(write_seed && run_channel),
         .x_i(local_x), .seed_o(seed_o.channel[ch]));
     end else begin : gen_no_rows
       assign seed_o.channel[ch] = '0;
@@ -188,50 +191,46 @@ module span_setup
         .load_i(take_triangle && load_split), .load_quad_i(1'b1),
         .surface_i(triangle_i.specular[ch]),
         .next_row_i(next_row),
-        .product_i(form_product), .finish_i(last_step), .write_i(write_seed), .x_i(local_x),
+        .product_i(form_product), .finish_i(last_step && is_split),
+        .write_i(write_seed && run_split), .x_i(local_x),
         .seed_o(split_o[ch].specular));
       always_ff @(posedge clk_i) begin
-        if (take_triangle) ambient_q      <= triangle_i.ambient[ch];
-        if (last_step)     run_ambient_q  <= ambient_q;
-        if (write_seed)    seed_ambient_q <= run_ambient_q;
+        if (take_triangle && load_split) ambient_q      <= triangle_i.ambient[ch];
+        if (last_step && is_split)       run_ambient_q  <= ambient_q;
+        if (write_seed && run_split)     seed_ambient_q <= run_ambient_q;
       end
     end else begin : gen_no_split
       assign split_o[ch] = '0;
     end
 
     if (HasPoint) begin : gen_point
-      surface_t       surface_q;
-      surface_point_t run_point_q;
-      always_ff @(posedge clk_i) begin
-        if (take_triangle) surface_q   <= triangle_i.surface[ch];
-        if (last_step)     run_point_q <= '{surface: surface_q, x: local_x, y: local_y};
-        if (write_seed)    point_o[ch] <= run_point_q;
-      end
+      point_rows u_point_rows (
+        .clk_i, .load_i(take_triangle && load_point), .surface_i(triangle_i.surface[ch]),
+        .finish_i(last_step && is_point), .write_i(write_seed && run_point),
+        .x_i(local_x), .y_i(local_y), .point_o(point_o[ch]));
     end else begin : gen_no_point
       assign point_o[ch] = '0;
     end
   end
 
-  if (HasCosine) begin : gen_cosine
-    material_index_t material_q, run_material_q;
-    for (genvar i = 0; i < Cosines; i++) begin : gen_rows
-      row_start #(.value_t(cosine_acc_t), .surface_t(cosine_surface_t), .seed_t(curve_seed_t),
-                  .HasGouraud(1'b0))
-      u_row_start (
-        .clk_i, .is_quad_i(is_cosine), .is_gouraud_i(1'b0),
-        .load_i(take_triangle && load_cosine), .load_quad_i(1'b1),
-        .surface_i(triangle_i.cosine[i]), .next_row_i(next_row),
-        .product_i(form_product), .finish_i(last_step && is_cosine), .write_i(write_cosine),
-        .x_i(local_x),
-        .seed_o(cosine_o[i]));
-    end
-    always_ff @(posedge clk_i) begin
-      if (take_triangle) material_q     <= triangle_i.material;
-      if (last_step)     run_material_q <= material_q;
-      if (write_seed)    material_o     <= run_material_q;
-    end
-  end else begin : gen_no_cosine
-    assign cosine_o   = '0;
+  if (HasCurve) begin : gen_curve
+    curve_rows #(.Methods(Methods)) u_curve_rows (
+      .clk_i,
+      .load_choice_i(choice_i),
+      .choice_i     (choice_q),
+      .run_choice_i (run_choice_q),
+      .load_i       (take_triangle),
+      .curve_i      (triangle_i.curve),
+      .material_i   (triangle_i.material),
+      .next_row_i   (next_row),
+      .product_i    (form_product),
+      .finish_i     (last_step),
+      .write_i      (write_seed),
+      .x_i          (local_x),
+      .curve_o, .material_o
+    );
+  end else begin : gen_no_curve
+    assign curve_o    = '0;
     assign material_o = '0;
   end
 

@@ -127,6 +127,14 @@ MethodCost SurfaceCost(Method method) {
     }
     default: break;
   }
+  if (method == Method::kPhongSurface) {
+    // Planes of N.L and N.H, and |N|^2 from the chords between the normals.
+    MethodCost cost = Lit(RowStart({}) + 2 * Operations{2, 2, 0, 0},
+                          Operations{2, 4, 2, 0} + kRoot,
+                          "N.L, N.H and |N|^2 by additions, a reciprocal root; set up by triangle");
+    cost.triangle = 3 * kTwoDots + Operations{9 + 18 + 27, 15 + 18 + 27, 0, 0};
+    return cost;
+  }
   // quad-cosine: surfaces of N.L and N.H.
   MethodCost cost = Lit(2 * RowStart({}), {0, 4, 0, 0}, "N.L and N.H by differences, then light");
   cost.triangle = 3 * kTwoDots + 3 * (kRoot + Operations{5, 4, 0, 0}) + Operations{81, 81, 0, 0};
@@ -186,7 +194,7 @@ MethodCost NormalCost(Method method) {
 
 MethodCost CostOf(Method method) {
   if (method == Method::kAuto) return ChoiceCost();
-  return method <= Method::kQuadCosine ? SurfaceCost(method) : NormalCost(method);
+  return InterpolatesNormals(method) ? NormalCost(method) : SurfaceCost(method);
 }
 
 Operations VectorLight() { return kTwoDots + kColour; }

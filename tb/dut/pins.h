@@ -68,7 +68,7 @@ void DriveTriangle(const TriangleState& triangle, Port& port) {
   for (const Surface& s : triangle.surface) PutSurface(s, bits);
   for (const Surface& s : triangle.specular) PutSurface(s, bits);
   for (const IntensityAcc value : triangle.ambient) bits.Put(value);
-  for (const CosineSurface& s : triangle.cosine) PutSurface(s, bits);
+  for (const CosineSurface& s : triangle.curve) PutSurface(s, bits);
   PutFootprint(triangle.footprint, bits);
   bits.Put(triangle.limit.raw(), AngleLimit::kWidth);
   PutRange(triangle.range, bits);

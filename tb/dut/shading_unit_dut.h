@@ -179,9 +179,9 @@ class ShadingUnitDut : public RtlShadingUnit {
   }
 
   void ReadCosines(SpanSeed* seed) const {
-    BitReader<decltype(top_->rootp->shading_unit__DOT__cosine)> bits(
-        top_->rootp->shading_unit__DOT__cosine);
-    for (CurveSeed& cosine : seed->cosine) cosine = TakeSeed<CosineAcc>(bits);
+    BitReader<decltype(top_->rootp->shading_unit__DOT__curve)> bits(
+        top_->rootp->shading_unit__DOT__curve);
+    for (CurveSeed& curve : seed->curve) curve = TakeSeed<CosineAcc>(bits);
   }
 
   std::string Stuck(const Feed& feed, int64_t cycle) const {

@@ -66,7 +66,7 @@ class SpanSetupDut {
   Result Run(const Work& work, const Flows& flows, int64_t limit = int64_t{1} << 40) {
     Result result;
     BitPacker<1> choice;
-    PutChoice({work.method, false, false, 7}, choice);
+    PutChoice(ChoiceOf(work.method), choice);
     StoreBits(choice, top_->choice_i);
     const int64_t patience = 16 + 2 * (flows.triangle.longest_gap() + flows.span.longest_gap() +
                                        flows.seed.longest_gap()) + kMaxScreen;
@@ -128,8 +128,8 @@ class SpanSetupDut {
       channel.ambient = split.template TakeSigned<IntensityAcc>();
       channel.specular = TakeSeed<IntensityAcc>(split);
     }
-    BitReader<decltype(top_->cosine_o)> cosine(top_->cosine_o);
-    for (CurveSeed& curve : seed.cosine) curve = TakeSeed<CosineAcc>(cosine);
+    BitReader<decltype(top_->curve_o)> cosine(top_->curve_o);
+    for (CurveSeed& curve : seed.curve) curve = TakeSeed<CosineAcc>(cosine);
     BitReader<decltype(top_->point_o)> point(top_->point_o);
     for (SurfacePoint& at : seed.point) {
       at.y = static_cast<int>(point.template TakeSigned<S<12, 0>>().raw());

@@ -52,11 +52,12 @@ std::string NormalSeedText(const NormalSeed& seed, int lanes) {
 }
 
 std::string CosineSeedText(const SpanSeed& seed) {
+  constexpr std::array<const char*, kCurves> kNames = {"N.L", "N.H, N.V", "|N|^2"};
   std::string text = "\n";
-  for (size_t i = 0; i < kCosines; ++i) {
-    const CurveSeed& c = seed.cosine[i];
+  for (size_t i = 0; i < kCurves; ++i) {
+    const CurveSeed& c = seed.curve[i];
     text += fmt::format("      {:9} first {} difference {} curvature {}\n",
-                        i == 0 ? "N.L" : "N.H, N.V", c.first.raw(), c.difference.raw(),
+                        kNames[i], c.first.raw(), c.difference.raw(),
                         c.curvature.raw());
   }
   return text;
@@ -64,7 +65,7 @@ std::string CosineSeedText(const SpanSeed& seed) {
 
 std::string SeedText(const SpanSeed& seed, Method method, int lanes) {
   if (InterpolatesNormals(method)) return NormalSeedText(seed.normal, lanes);
-  if (method == Method::kQuadCosine) return CosineSeedText(seed);
+  if (InterpolatesCosines(method)) return CosineSeedText(seed);
   std::string text = fmt::format("x {} y {} length {} z {} dz/dx {}\n", seed.x, seed.y, seed.length,
                                  seed.z.raw(), seed.dz_dx.raw());
   for (size_t ch = 0; ch < kChannels; ++ch) {

@@ -152,9 +152,7 @@ double WorstConstant(const ChoiceConstant& constant, const ChoiceEffort& effort)
   for (const bool edge : {false, true}) {
     ChoiceRegion region;
     region.edge = edge;
-    region.least_chord = !highlight                                   ? 0.02
-                         : constant.method == Method::kSlerpIntensity ? 0.006
-                                                                      : 0.0008;
+    region.least_chord = highlight ? 0.0008 : 0.02;
     region.highlight = constant.highlight;
     region.reflected = constant.lighting == Lighting::kPhong;
     if (!highlight) region.most_shininess = 1 + 1e-9;

@@ -55,15 +55,6 @@ double Quadratic(const ChoiceCase& at, const ValueOf& value) {
   return sum;
 }
 
-// Paper 000 (2).
-Vector Slerp(const Vector& a, const Vector& b, double t) {
-  const Vector chord = Sum(b, Scaled(-1, a));
-  const double angle = 2 * std::asin(std::min(1.0, std::sqrt(Dot(chord, chord)) / 2));
-  if (angle < 1e-9) return a;
-  return Sum(Scaled(std::sin((1 - t) * angle) / std::sin(angle), a),
-             Scaled(std::sin(t * angle) / std::sin(angle), b));
-}
-
 }  // namespace
 
 std::array<double, 3> ChoiceCase::Weight() const {
@@ -94,8 +85,6 @@ double ShownCodes(Method method, const ChoiceLight& light, const ChoiceCase& at)
       const auto other = [&](const Vector& normal) { return Dot(normal, at.half_or_view); };
       return Codes(light, {Quadratic(at, n_dot_l), Quadratic(at, other)}, at);
     }
-    case Method::kSlerpIntensity:
-      return lit(Slerp(Over(at.normal, at.end[0]), Over(at.normal, at.end[1]), at.along));
     default: return lit(Over(at.normal, at.Weight()));
   }
 }

@@ -30,12 +30,11 @@ double ExactCodes(const ChoiceLight& light, const ChoiceCase& at);
 
 // What a method shows there, by its closed form in double:
 //
-//   flat             light of the normalised sum of the normals
-//   gouraud          line through the light of the corners
-//   quad             quadratic through the light of the corners and of the middles of the edges
-//   quad-cosine      light of the quadratics through N.L and N.H or N.V
-//   slerp-intensity  light of the slerp between the unit normals of the ends of the span
-//   phong-duff       light of the normalised linear normal
+//   flat          light of the normalised sum of the normals
+//   gouraud       line through the light of the corners
+//   quad          quadratic through the light of the corners and of the middles of the edges
+//   quad-cosine   light of the quadratics through N.L and N.H or N.V
+//   phong-surface, phong-duff   light of the normalised linear normal
 double ShownCodes(Method method, const ChoiceLight& light, const ChoiceCase& at);
 
 }  // namespace shading::accuracy

@@ -18,7 +18,7 @@ namespace {
 using Light = ChoiceConstant::Light;
 
 constexpr std::array kMethods = {Method::kFlat, Method::kGouraud, Method::kQuad,
-                                 Method::kQuadCosine, Method::kSlerpIntensity};
+                                 Method::kQuadCosine};
 
 void PrintRow(const ChoiceConstant& constant, int entry, const ChoiceEffort& effort) {
   const double found = WorstConstant(constant, effort);
@@ -28,8 +28,7 @@ void PrintRow(const ChoiceConstant& constant, int entry, const ChoiceEffort& eff
 void PrintDiffuse(const ChoiceEffort& effort) {
   using namespace choice_table;
   fmt::print("\n| method | lit: found / constant (ratio) | terminator |\n|---|--:|--:|\n");
-  constexpr std::array kLit = {kFlatDiffuse, kGouraudDiffuse, kQuadDiffuse, kQuadCosineDiffuse,
-                               kSlerpDiffuse};
+  constexpr std::array kLit = {kFlatDiffuse, kGouraudDiffuse, kQuadDiffuse, kQuadCosineDiffuse};
   for (size_t m = 0; m < kMethods.size(); ++m) {
     fmt::print("| {} |", Name(kMethods[m]));
     PrintRow({kMethods[m], Light::kLit}, kLit[m], effort);
@@ -44,15 +43,15 @@ void PrintDiffuse(const ChoiceEffort& effort) {
 
 void PrintSpecular(Lighting lighting, const ChoiceEffort& effort) {
   using namespace choice_table;
-  const std::array<const Table*, 5> tables = {&kFlatSpecular, &kGouraudSpecular, &kQuadSpecular,
-                                              &kCosineSpecular, &kSlerpSpecular};
+  const std::array<const Table*, 4> tables = {&kFlatSpecular, &kGouraudSpecular, &kQuadSpecular,
+                                              &kCosineSpecular};
   const bool phong = lighting == Lighting::kPhong;
   fmt::print("\n{}\n\n| k |", phong ? "R.V" : "N.H");
-  for (size_t m = phong ? 3 : 0; m < 5; ++m) fmt::print(" {} |", Name(kMethods[m]));
-  fmt::print("\n|--:|{}\n", phong ? "--:|--:|" : "--:|--:|--:|--:|--:|");
+  for (size_t m = phong ? 3 : 0; m < kMethods.size(); ++m) fmt::print(" {} |", Name(kMethods[m]));
+  fmt::print("\n|--:|{}\n", phong ? "--:|" : "--:|--:|--:|--:|");
   for (int k = 0; k < 16; ++k) {
     fmt::print("| {} |", k);
-    for (size_t m = phong ? 3 : 0; m < 5; ++m) {
+    for (size_t m = phong ? 3 : 0; m < kMethods.size(); ++m) {
       const int entry = (*tables[m])[static_cast<size_t>(k)] + (phong ? kReflected : 0);
       PrintRow({kMethods[m], Light::kHighlight, lighting, k}, entry, effort);
     }

@@ -69,6 +69,7 @@ TEST_P(Picture, WithinBoundOfTheClosedForm) {
   const auto [method, lanes] = GetParam();
   switch (method) {
     case Method::kPhong:
+    case Method::kPhongSurface:
     case Method::kPhongDuff: return ExpectWithinBound<ideal::Phong>(method, lanes);
     case Method::kPhongTaylor: return ExpectWithinBound<ideal::PhongTaylor>(method, lanes);
     default: return ExpectWithinBound<ideal::Slerp>(method, lanes);
@@ -77,7 +78,7 @@ TEST_P(Picture, WithinBoundOfTheClosedForm) {
 
 INSTANTIATE_TEST_SUITE_P(
     LitMethods, Picture,
-    testing::Combine(testing::Values(Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff,
+    testing::Combine(testing::Values(Method::kPhongSurface, Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff,
                                      Method::kSlerp, Method::kSlerpPaper, Method::kSlerpIntensity,
                                      Method::kSlerpDirect, Method::kAdaptive),
                      testing::Values(1, kMaxLanes)),

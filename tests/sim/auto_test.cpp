@@ -80,7 +80,7 @@ TEST(Auto, EveryMethodHasItsUse) {
   const FrameWork mixed = AutoWork(Scene("builtin:mixed"), 1);
   for (size_t m = 0; m < triangles.size(); ++m) triangles[m] += mixed.share[m].triangles;
   for (const Method method : {Method::kFlat, Method::kGouraud, Method::kQuad, Method::kQuadCosine,
-                              Method::kSlerpIntensity, Method::kPhongDuff}) {
+                              Method::kPhongSurface, Method::kPhongDuff}) {
     EXPECT_GT(triangles[static_cast<size_t>(method)], 0) << Name(method);
   }
 }

@@ -39,7 +39,8 @@ TEST_P(SpanSetupFlow, RtlMatchesModel) {
 
 // One of each kind of start; the other forms of the surface have that of quad.
 constexpr auto kKinds = {Method::kFlat,       Method::kGouraud,   Method::kQuad,
-                         Method::kQuadHorner, Method::kQuadSplit, Method::kQuadCosine};
+                         Method::kQuadHorner, Method::kQuadSplit, Method::kQuadCosine,
+                         Method::kPhongSurface};
 
 INSTANTIATE_TEST_SUITE_P(AllFlows, SpanSetupFlow,
                          testing::Combine(testing::ValuesIn(kKinds), testing::ValuesIn(kFlows),
@@ -79,7 +80,8 @@ TEST(SpanSetup, ContractMatchesRtl) {
       EXPECT_EQ(result.spans[i] - result.spans[i - 1], interval) << Name(method);
     }
   };
-  for (const Method method : {Method::kQuad, Method::kQuadSplit, Method::kQuadCosine}) {
+  for (const Method method :
+       {Method::kQuad, Method::kQuadSplit, Method::kQuadCosine, Method::kPhongSurface}) {
     expect(method, 4, 2);
   }
   for (const Method method : {Method::kGouraud, Method::kFlat, Method::kQuadHorner}) {

@@ -98,7 +98,7 @@ inline tb::SpanSetupDut::Work RandomWork(Method method, int triangles, std::mt19
     }
     for (Surface& surface : triangle.specular) surface = RandomSurface(random);
     for (IntensityAcc& ambient : triangle.ambient) ambient = RandomAcc(random);
-    for (CosineSurface& surface : triangle.cosine) {
+    for (CosineSurface& surface : triangle.curve) {
       for (CosineAcc* k :
            {&surface.a, &surface.b, &surface.c, &surface.d, &surface.e, &surface.f}) {
         *k = CosineAcc::Wrap(RandomDepth(random).raw() << (random() % 7));
