@@ -28,6 +28,7 @@ class BitPacker {
   }
   template <typename Port>
   void Store(Port& port) const {
+    static_assert(sizeof(Port) == kWords * sizeof(uint32_t), "the port has another width");
     for (int i = 0; i < kWords; ++i) port[i] = words_[i];
   }
 

@@ -15,7 +15,7 @@ inline constexpr int kLengthWidth = 13;
 inline constexpr int kMaterialWidth = 8;
 inline constexpr int kMethodWidth = 5;
 inline constexpr int kChannelsWidth = 3;
-inline constexpr int kTriangleWords = 91;
+inline constexpr int kTriangleWords = 100;
 inline constexpr int kSpanWords = 12;
 
 template <typename Value, typename Bits>

@@ -28,9 +28,9 @@ class SpanBinderDut {
     BitPacker<kFootprintWords> bits;
     for (const Margin value : span.margin) bits.Put(value);
     PutFootprint(triangle.footprint, bits);
-    std::vector<uint32_t> words(kFootprintWords);
+    std::array<uint32_t, kFootprintWords> words;
     bits.Store(words);
-    return words;
+    return {words.begin(), words.end()};
   }
 
   // Choice and kind of set-up that go in with triangle k: bits that differ from one to the next.
