@@ -13,6 +13,7 @@ module point_rows
   input  logic           clk_i,
   input  logic           load_i,     // takes a surface
   input  surface_t       surface_i,
+  input  logic           start_i,
   input  logic           finish_i,
   input  logic           write_i,
   input  offset_t        x_i,        // of the span's first pixel
@@ -20,10 +21,11 @@ module point_rows
   output surface_point_t point_o
 );
   surface_t       surface_q;
-  surface_point_t run_point_q;
+  surface_point_t run_point_q, sum_point_q;
   always_ff @(posedge clk_i) begin
     if (load_i)   surface_q   <= surface_i;
-    if (finish_i) run_point_q <= '{surface: surface_q, x: x_i, y: y_i};
-    if (write_i)  point_o     <= run_point_q;
+    if (start_i)  run_point_q <= '{surface: surface_q, x: x_i, y: y_i};
+    if (finish_i) sum_point_q <= run_point_q;
+    if (write_i)  point_o     <= sum_point_q;
   end
 endmodule

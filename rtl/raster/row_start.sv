@@ -11,11 +11,13 @@
 // Two products a span with A, C and x's slope changing by row (quad), one without (gouraud), none
 // for a constant (flat). A part of span_setup and its page; it has no page of its own.
 //
-// Timing    load_i takes a surface at its row 0; next_row_i moves one row down, load_i wins.
-//           product_i forms A x; finish_i the last product; write_i, a cycle or more later, the
-//           seed.
+// Timing    load_i takes a surface at its row 0; next_row_i moves one row down, load_i wins. start_i
+//           takes the row and forms A x, and sees the new row where next_row_i comes with it;
+//           finish_i the last product; write_i the seed. One after the other, a cycle or more apart;
+//           one span in each.
 // Formats   those of the types: surfaces of intensities S9.26, of cosines S1.44; sums and products
 //           keep the low bits, exact wherever the result fits.
+// Gating    What the method of the span does not use holds, operands of the multipliers included.
 // Error     None against the integer polynomial.
 // Model     model/raster/span_setup.h      Doc  docs/units/raster/span_setup.md
 module row_start
@@ -34,11 +36,15 @@ module row_start
   input  logic     load_i,
   input  logic     load_quad_i,    // of the triangle that is loaded
   input  surface_t surface_i,
-  input  logic     next_row_i,     // gouraud: may come with finish_i, which then sees the new row
-  input  logic     product_i,
+  input  logic     next_row_i,
+  input  logic     start_i,
+  input  offset_t  x_i,            // of the span's first pixel
+
+  input  logic     run_quad_i,     // of the span that has started
+  input  logic     run_gouraud_i,
+  input  offset_t  run_x_i,
   input  logic     finish_i,
   input  logic     write_i,
-  input  offset_t  x_i,            // of the span's first pixel
   output seed_t    seed_o
 );
   logic is_quad, is_gouraud, load_quad;
@@ -72,21 +78,39 @@ module row_start
     end
   end
 
-  // Idle operands hold still.
+  // The row of the span that has started, and A x.
+  value_t  run_row_q, run_slope_q, run_a_q, ax_q;
   offset_t x;
-  assign x = is_quad || is_gouraud ? x_i : '0;
-
-  value_t ax_q, product_q, base_q, difference_q, curvature_q, slope, first;
-  assign slope = is_quad ? ax_q + slope_q : slope_q;
-  assign first = HasQuad || HasGouraud ? base_q + product_q : base_q;
+  assign x = is_quad ? x_i : '0;
 
   always_ff @(posedge clk_i) begin
-    if (product_i && is_quad) ax_q <= a_q * value_t'(x);
+    if (start_i) begin
+      run_row_q <= next_row_i && (is_quad || is_gouraud) ? next_row : row_q;
+      if (is_quad || is_gouraud) begin
+        run_slope_q <= next_row_i && is_quad ? slope_q + c_q : slope_q;
+      end
+      if (is_quad) begin
+        run_a_q <= a_q;
+        ax_q    <= a_q * value_t'(x);
+      end
+    end
+  end
+
+  logic    run_quad, run_line;
+  value_t  product_q, base_q, difference_q, curvature_q, slope, first;
+  offset_t run_x;
+  assign run_quad = HasQuad && run_quad_i;
+  assign run_line = run_quad || (HasGouraud && run_gouraud_i);
+  assign run_x    = run_line ? run_x_i : '0;
+  assign slope    = run_quad ? ax_q + run_slope_q : run_slope_q;
+  assign first    = HasQuad || HasGouraud ? base_q + product_q : base_q;
+
+  always_ff @(posedge clk_i) begin
     if (finish_i) begin
-      product_q    <= is_quad || is_gouraud ? slope * value_t'(x) : '0;
-      base_q       <= is_gouraud && next_row_i ? next_row : row_q;
-      difference_q <= is_quad ? slope + ax_q + a_q : slope_q;
-      curvature_q  <= is_quad ? a_q <<< 1 : '0;
+      product_q    <= run_line ? slope * value_t'(run_x) : '0;
+      base_q       <= run_row_q;
+      difference_q <= run_quad ? slope + ax_q + run_a_q : run_line ? slope : '0;
+      curvature_q  <= run_quad ? run_a_q <<< 1 : '0;
     end
     if (write_i) seed_o <= '{first: first, second: first + difference_q,
                              difference: difference_q, curvature: curvature_q};

@@ -9,15 +9,12 @@
 //   flat      I = F                                     none
 //   quad-polynomial, quad-horner: the coefficients and the pixel themselves
 //
-// Timing    One step a product, and one a row: a span `rows` below the one before it, the first of
-//           its triangle with rows = 0, has
-//             quad ...       max(2, rows + 1) steps
-//             gouraud        max(1, rows)
-//             others         1
-//           A seed is on offer steps + 2 cycles after its span was taken; the initiation interval
-//           is steps cycles: the last sum overlaps the next span's first step. ready/valid on all
-//           ports. A span is never taken before its triangle; a triangle leaves with the last step
-//           of its last span.
+// Timing    A span starts, finishes and is summed up in a cycle each, one span after the other. It
+//           waits until its row is reached: `rows` below the span before it, 0 for the first of its
+//           triangle, it has max(1, rows) steps, 1 where there are no rows. A seed is on offer
+//           steps + 3 cycles after its span was taken; the initiation interval is steps cycles.
+//           ready/valid on all ports. A span is never taken before its triangle; a triangle leaves
+//           with the last step of its last span.
 // Formats   intensities S9.26, cosines S1.44, coordinates S12.0 from the triangle's origin;
 //           products keep the low bits. Exact whenever the result fits.
 // Error     None against the integer polynomial. RTL = model on every seed.
@@ -55,35 +52,44 @@ module span_setup
   output logic      busy_o          // a triangle or a span is inside
 );
   localparam int unsigned Latency = 4;
-  localparam int unsigned Interval = 2;
+  localparam int unsigned Interval = 1;
 
-  localparam methods_t Rows = RowMethods & Methods;
-  localparam bit HasQuad = Rows != '0;
+  localparam bit HasQuad = (Methods & RowMethods) != '0;
   localparam bit HasGouraud = Methods[MethodGouraud];
   localparam bit HasSplit = Methods[MethodQuadSplit];
   localparam bit HasCurve = (Methods & CurveMethods) != '0;
   localparam bit HasPoint = (Methods & PointMethods) != '0;
   localparam bit HasChannel = (Methods & ~PointMethods & ~CurveMethods) != '0;
-  // Of the triangle inside, and of the one that is taken.
-  choice_t choice_q;
-  logic is_quad, is_gouraud, is_split, is_curve, is_row, is_point;
-  logic load_row, load_channel, load_split, load_point;
-  assign is_row       = is_any_of(Methods, choice_q.method, RowMethods);
-  assign is_split     = is_method(Methods, choice_q.method, MethodQuadSplit);
-  assign is_curve     = is_any_of(Methods, choice_q.method, CurveMethods);
-  assign is_point     = is_any_of(Methods, choice_q.method, PointMethods);
-  assign is_gouraud   = is_method(Methods, choice_q.method, MethodGouraud);
-  assign is_quad      = is_row && !is_curve;
-  assign load_row     = is_any_of(Methods, choice_i.method, RowMethods);
-  assign load_split   = is_method(Methods, choice_i.method, MethodQuadSplit);
-  assign load_point   = is_any_of(Methods, choice_i.method, PointMethods);
-  assign load_channel = !load_point && !is_any_of(Methods, choice_i.method, CurveMethods);
+  // What a method wants.
+  typedef struct packed {
+    logic rows;                   // its surfaces are stepped from row to row
+    logic channel;                // row_start of intensities
+    logic quad;                   // of second order
+    logic gouraud;
+    logic split;
+    logic point;
+  } wants_t;
+  function automatic wants_t wants_of(method_e method);
+    wants_of.gouraud = is_method(Methods, method, MethodGouraud);
+    wants_of.rows    = is_any_of(Methods, method, RowMethods) || wants_of.gouraud;
+    wants_of.point   = is_any_of(Methods, method, PointMethods);
+    wants_of.channel = !wants_of.point && !is_any_of(Methods, method, CurveMethods);
+    wants_of.quad    = wants_of.channel && is_any_of(Methods, method, RowMethods);
+    wants_of.split   = is_method(Methods, method, MethodQuadSplit);
+  endfunction
+  // The triangle that is taken, the one inside, the span that has started, the one summed up.
+  choice_t choice_q, run_choice_q, sum_choice_q;
+  wants_t  loads, now, runs, sums;
+  assign loads = wants_of(choice_i.method);
+  assign now   = wants_of(choice_q.method);
+  assign runs  = wants_of(run_choice_q.method);
+  assign sums  = wants_of(sum_choice_q.method);
 
   logic  triangle_valid_q;
   logic  span_valid_q;            // a span is in its steps
   span_t span_q;
-  logic  product_q;               // A x is formed
-  logic  sum_valid_q;             // the last sum of a span is due
+  logic  run_valid_q;             // has started: its last product is due
+  logic  sum_valid_q;             // its last sum is due
   logic  seed_valid_q;
 
   /////////////
@@ -91,13 +97,14 @@ module span_setup
   /////////////
 
   coord_t row_q;                  // of the rows' registers
-  logic   take_triangle, take_span, advance, next_row, last_step, release_triangle, write_seed;
+  logic   take_triangle, take_span, advance, next_row, last_step, release_triangle;
+  logic   finish, write_seed;
   assign advance          = !(sum_valid_q && seed_valid_q && !seed_ready_i);
-  assign next_row         = span_valid_q && advance && (is_row || is_gouraud) && row_q != span_q.y;
+  assign next_row         = span_valid_q && advance && now.rows && row_q != span_q.y;
   assign last_step        = span_valid_q && advance &&
-                            (is_row ? product_q && row_q == span_q.y
-                                     : !is_gouraud || row_q == span_q.y ||
-                                       coord_t'(row_q + 12'd1) == span_q.y);
+                            (!now.rows || row_q == span_q.y ||
+                             coord_t'(row_q + 12'd1) == span_q.y);
+  assign finish           = run_valid_q && advance;
   assign release_triangle = last_step && span_q.last;
   assign write_seed       = sum_valid_q && advance;
 
@@ -108,19 +115,21 @@ module span_setup
   assign take_span        = span_valid_i && span_ready_o;
 
   assign seed_valid_o  = seed_valid_q;
-  assign span_inside_o = span_valid_q || sum_valid_q || seed_valid_q;
+  assign span_inside_o = span_valid_q || run_valid_q || sum_valid_q || seed_valid_q;
   assign busy_o        = span_inside_o || triangle_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       triangle_valid_q <= 1'b0;
       span_valid_q     <= 1'b0;
+      run_valid_q      <= 1'b0;
       sum_valid_q      <= 1'b0;
       seed_valid_q     <= 1'b0;
     end else begin
       triangle_valid_q <= take_triangle || (triangle_valid_q && !release_triangle);
       span_valid_q     <= take_span || (span_valid_q && !last_step);
-      sum_valid_q      <= last_step || (sum_valid_q && !advance);
+      run_valid_q      <= last_step || (run_valid_q && !advance);
+      sum_valid_q      <= finish || (sum_valid_q && !advance);
       seed_valid_q     <= write_seed || (seed_valid_q && !seed_ready_i);
     end
   end
@@ -130,7 +139,6 @@ module span_setup
     if (take_triangle) choice_q <= choice_i;
     if (take_triangle) row_q <= triangle_i.origin_y;
     else if (next_row) row_q <= coord_t'(row_q + 12'd1);
-    product_q <= span_valid_q && !last_step && (product_q || advance);
   end
 
   //////////////
@@ -143,9 +151,8 @@ module span_setup
   assign local_x = signed'({1'b0, span_q.x}) - signed'({1'b0, origin_x_q});
   assign local_y = signed'({1'b0, span_q.y}) - signed'({1'b0, origin_y_q});
 
-  run_t run_q;                    // of the span whose last sum is due
-  run_t seed_run_q;
-  choice_t run_choice_q;
+  run_t    run_q, sum_run_q, seed_run_q;   // of the span that has started, is summed up, is a seed
+  offset_t run_x_q;
   assign seed_o.run = seed_run_q;
   always_ff @(posedge clk_i) begin
     if (take_triangle) begin
@@ -154,50 +161,48 @@ module span_setup
       dz_dx_q    <= triangle_i.dz_dx;
     end
     if (last_step) begin
-      run_q <= '{x: span_q.x, y: span_q.y, length: span_q.length, z: span_q.z, dz_dx: dz_dx_q};
+      run_q   <= '{x: span_q.x, y: span_q.y, length: span_q.length, z: span_q.z, dz_dx: dz_dx_q};
+      run_x_q <= local_x;
     end
     if (last_step)  run_choice_q <= choice_q;
-    if (write_seed) choice_o     <= run_choice_q;
-    if (write_seed) seed_run_q <= run_q;
+    if (finish)     {sum_choice_q, sum_run_q} <= {run_choice_q, run_q};
+    if (write_seed) {choice_o, seed_run_q}    <= {sum_choice_q, sum_run_q};
   end
 
   //////////////
   // Surfaces //
   //////////////
 
-  logic form_product, run_point, run_split, run_channel;
-  assign form_product = span_valid_q && advance && !product_q;
-  assign run_point    = is_any_of(Methods, run_choice_q.method, PointMethods);
-  assign run_split    = is_method(Methods, run_choice_q.method, MethodQuadSplit);
-  assign run_channel  = !run_point && !is_any_of(Methods, run_choice_q.method, CurveMethods);
-
   for (genvar ch = 0; ch < Channels; ch++) begin : gen_channel
     if (HasChannel) begin : gen_rows
       row_start #(.HasQuad(HasQuad), .HasGouraud(HasGouraud)) u_row_start (
-        .clk_i, .is_quad_i(is_quad), .is_gouraud_i(is_gouraud),
-        .load_i(take_triangle && load_channel), .load_quad_i(load_row),
-        .surface_i(triangle_i.surface[ch]), .next_row_i(next_row),
-        .product_i(form_product), .finish_i(last_step && !is_curve && !is_point), .write_i(write_seed && run_channel),
-        .x_i(local_x), .seed_o(seed_o.channel[ch]));
+        .clk_i, .is_quad_i(now.quad), .is_gouraud_i(now.gouraud),
+        .load_i(take_triangle && loads.channel), .load_quad_i(loads.quad),
+        .surface_i(triangle_i.surface[ch]), .next_row_i(next_row), .x_i(local_x),
+        .start_i(last_step && now.channel),
+        .run_quad_i(runs.quad), .run_gouraud_i(runs.gouraud), .run_x_i(run_x_q),
+        .finish_i(finish && runs.channel), .write_i(write_seed && sums.channel),
+        .seed_o(seed_o.channel[ch]));
     end else begin : gen_no_rows
       assign seed_o.channel[ch] = '0;
     end
 
     if (HasSplit) begin : gen_split
-      intensity_acc_t ambient_q, run_ambient_q, seed_ambient_q;
+      intensity_acc_t ambient_q, run_ambient_q, sum_ambient_q, seed_ambient_q;
       assign split_o[ch].ambient = seed_ambient_q;
       row_start #(.HasGouraud(1'b0)) u_specular_row_start (
-        .clk_i, .is_quad_i(is_split), .is_gouraud_i(1'b0),
-        .load_i(take_triangle && load_split), .load_quad_i(1'b1),
-        .surface_i(triangle_i.specular[ch]),
-        .next_row_i(next_row),
-        .product_i(form_product), .finish_i(last_step && is_split),
-        .write_i(write_seed && run_split), .x_i(local_x),
+        .clk_i, .is_quad_i(now.split), .is_gouraud_i(1'b0),
+        .load_i(take_triangle && loads.split), .load_quad_i(1'b1),
+        .surface_i(triangle_i.specular[ch]), .next_row_i(next_row),
+        .start_i(last_step && now.split), .x_i(local_x),
+        .run_quad_i(runs.split), .run_gouraud_i(1'b0), .run_x_i(run_x_q),
+        .finish_i(finish && runs.split), .write_i(write_seed && sums.split),
         .seed_o(split_o[ch].specular));
       always_ff @(posedge clk_i) begin
-        if (take_triangle && load_split) ambient_q      <= triangle_i.ambient[ch];
-        if (last_step && is_split)       run_ambient_q  <= ambient_q;
-        if (write_seed && run_split)     seed_ambient_q <= run_ambient_q;
+        if (take_triangle && loads.split) ambient_q      <= triangle_i.ambient[ch];
+        if (last_step && now.split)       run_ambient_q  <= ambient_q;
+        if (finish && runs.split)         sum_ambient_q  <= run_ambient_q;
+        if (write_seed && sums.split)     seed_ambient_q <= sum_ambient_q;
       end
     end else begin : gen_no_split
       assign split_o[ch] = '0;
@@ -205,9 +210,9 @@ module span_setup
 
     if (HasPoint) begin : gen_point
       point_rows u_point_rows (
-        .clk_i, .load_i(take_triangle && load_point), .surface_i(triangle_i.surface[ch]),
-        .finish_i(last_step && is_point), .write_i(write_seed && run_point),
-        .x_i(local_x), .y_i(local_y), .point_o(point_o[ch]));
+        .clk_i, .load_i(take_triangle && loads.point), .surface_i(triangle_i.surface[ch]),
+        .start_i(last_step && now.point), .finish_i(finish && runs.point),
+        .write_i(write_seed && sums.point), .x_i(local_x), .y_i(local_y), .point_o(point_o[ch]));
     end else begin : gen_no_point
       assign point_o[ch] = '0;
     end
@@ -219,14 +224,16 @@ module span_setup
       .load_choice_i(choice_i),
       .choice_i     (choice_q),
       .run_choice_i (run_choice_q),
+      .sum_choice_i (sum_choice_q),
       .load_i       (take_triangle),
       .curve_i      (triangle_i.curve),
       .material_i   (triangle_i.material),
       .next_row_i   (next_row),
-      .product_i    (form_product),
-      .finish_i     (last_step),
-      .write_i      (write_seed),
+      .start_i      (last_step),
       .x_i          (local_x),
+      .finish_i     (finish),
+      .run_x_i      (run_x_q),
+      .write_i      (write_seed),
       .curve_o, .material_o
     );
   end else begin : gen_no_curve
@@ -239,7 +246,7 @@ module span_setup
     if (take_span) begin
       assert (span_i.length != '0) else $error("span_setup: a span of 0 pixels");
     end
-    if (span_valid_q && (is_row || is_gouraud)) begin
+    if (span_valid_q && now.rows) begin
       assert (row_q <= span_q.y) else $error("span_setup: a span above the one before it");
     end
   end
