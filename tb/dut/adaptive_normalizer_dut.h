@@ -27,7 +27,7 @@ class AdaptiveNormalizerBuildDut {
   static constexpr int kLatency = Vadaptive_normalizer_adaptive_normalizer::Latency;
   static constexpr int kInterval = Vadaptive_normalizer_adaptive_normalizer::Interval;
   static constexpr int kLaneCount = kLanes;
-  using Bits = std::array<uint32_t, 4>;
+  using Bits = std::array<uint32_t, 5>;
 
   struct Span {
     SpanSeed run;  // all but the length travels along unread
@@ -152,7 +152,7 @@ class AdaptiveNormalizerBuildDut {
 
   template <typename Port>
   static void DriveLitRun(const SpanSeed& run, Port& port) {
-    BitPacker<4> bits;
+    BitPacker<5> bits;
     bits.Put(run.material, kMaterialWidth);
     bits.Put(run.dz_dx);
     bits.Put(run.z);
@@ -163,7 +163,7 @@ class AdaptiveNormalizerBuildDut {
   }
   template <typename Port>
   static Bits BitsOfRun(const Port& port) {
-    return {port[0], port[1], port[2], port[3]};
+    return {port[0], port[1], port[2], port[3], port[4]};
   }
 
   void Drive(const Span& span) {
