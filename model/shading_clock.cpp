@@ -56,11 +56,15 @@ void ShadingClock::Triangle(Method method) {
 
 int64_t ShadingClock::OfferSurfaceSeed(int64_t offered, int rows, bool last) {
   span_taken_ = std::max(binder().OfferRun(offered), last_step_);
-  // The first step shares its cycle with the last sum of the span before, which may be waiting for
-  // the seed register.
-  const int64_t first_step = std::max(span_taken_ + 1, sum_);
-  last_step_ = first_step + SpanSetup::Steps(method_, rows) - 1;
-  sum_ = std::max(last_step_ + 1, surface_seed_taken_);
+  // A sum that waits for the seed register holds every span behind it: first that of the span
+  // before the last one, and when this has moved on, that of the last one.
+  int64_t first_step = std::max(span_taken_ + 1, older_sum_);
+  if (first_step > finish_) first_step = std::max(first_step, sum_);
+  const int more = SpanSetup::Steps(method_, rows) - 1;
+  last_step_ = more == 0 ? first_step : std::max(first_step + 1, sum_) + more - 1;
+  finish_ = std::max(last_step_ + 1, sum_);
+  older_sum_ = sum_;
+  sum_ = std::max(finish_ + 1, surface_seed_taken_);
   binder().PassSpan(last_step_, last);
   if (!auto_) return sum_ + 1;
   surface_seed_taken_ = seed_queue_.Take(sum_ + 1);

@@ -30,7 +30,8 @@ struct SpanTiming {
 //
 //   start = max(input on offer, stage free, room downstream)
 //
-//   span_setup     accepts in a, works in steps, sums in s, offers the seed from s + 1
+//   span_setup     accepts in a, starts in steps, finishes, sums in s, offers the seed from s + 1;
+//                  a span waiting for its sum holds those behind it
 //   normal_setup   accepts in a, passes from stage to stage every 8 cycles, offers likewise
 //   pixel_walker   takes the seed in t, offers the first group of lanes in t + 1
 //   light          takes a group when pixel_queue has room and offers it a fixed time later
@@ -87,8 +88,10 @@ class ShadingClock {
   int64_t stage_left_ = 0;      // choice_stage gave up the triangle before
   SeedQueue seed_queue_;        // auto
   int64_t span_taken_ = 0;  // of the span before, and so on
-  int64_t last_step_ = 0;   // span_setup
+  int64_t last_step_ = 0;   // span_setup, as the next three
+  int64_t finish_ = 0;      // its last product
   int64_t sum_ = 0;
+  int64_t older_sum_ = 0;   // of the span before that
   StageClock normal_setup_;
   StageClock arc_setup_;
   AdaptiveClock adaptive_;

@@ -20,15 +20,13 @@ namespace shading {
 class SpanSetup {
  public:
   static constexpr UnitContract kContract = {
-      "span_setup", "raster", 4, 2, "coefficients S9.26, S1.44, coordinates S12.0",
+      "span_setup", "raster", 4, 1, "coefficients S9.26, S1.44, coordinates S12.0",
       "seed S9.26, S1.44", 0, "results in range"};
 
   // Cycles between two spans of the method, the second `rows` below the first; 0 for the first span
   // of a triangle.
   static constexpr int Steps(Method method, int rows) {
-    if (method == Method::kFlat || IsPointForm(method)) return 1;
-    if (method == Method::kGouraud) return rows > 1 ? rows : 1;
-    return rows > 0 ? rows + 1 : 2;
+    return method == Method::kFlat || IsPointForm(method) || rows < 1 ? 1 : rows;
   }
 
   static void Seed(Method method, const TriangleState& triangle, const SpanCommand& span,

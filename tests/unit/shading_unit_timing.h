@@ -28,9 +28,10 @@ inline int Latency(Method method) {
                 : 0);
   }
   // Equal normals make it flat; seed_queue and pixel_queue come on top.
-  if (method == Method::kAuto) return SpanSetup::Steps(Method::kFlat, 0) + 4;
+  if (method == Method::kAuto) return SpanSetup::kContract.latency_cycles + 2;
   if (!InterpolatesNormals(method)) {
-    return SpanSetup::Steps(method, 0) + 2 + (LightsPixels(method) ? light : 0);
+    return SpanSetup::kContract.latency_cycles +
+           (LightsPixels(method) ? CosineLatency(method) + light : 0);
   }
   return NormalSetup::Latency(1) + ArcLatency(method) + CosineLatency(method) + light;
 }
