@@ -9,7 +9,7 @@
 // Methods   A build holds only the hardware of the methods in Methods; a frame names one of them.
 //           MethodAuto needs ChosenMethods: choice_stage names one for each triangle.
 // Timing    Lanes pixels per cycle. Set-up overlaps the previous spans: no bubble between spans
-//           of 2 cycles or more for surfaces, of 8 cycles or more for normals.
+//           for surfaces, of 8 cycles or more for normals.
 // Error     That of the method's units: 0.42 codes for intensities; see the page.
 // Streams   ready/valid; valid does not wait for ready, a payload holds until taken. A frame is
 //           taken when the unit is empty; while one waits, no further triangle is taken. Materials

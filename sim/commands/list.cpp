@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -12,7 +13,7 @@
 namespace shading::sim {
 namespace {
 
-constexpr const char* kMethodText[] = {
+constexpr std::array kMethodText = {
     "one colour per triangle: light of the mean of its normals",
     "linear interpolation of the vertices' intensities",
     "second-order surface through six nodes, paper 003 (5): I(x+2) = 2 I(x+1) - I(x) + 2A",
@@ -27,6 +28,7 @@ constexpr const char* kMethodText[] = {
     "quad with the mean over a pixel's footprint, paper 001: a constant of the triangle",
     "second-order surfaces of unclamped diffuse and of specular light, clamped and added per pixel",
     "second-order surfaces of unclamped N.L and N.H, clamp and power per pixel",
+    "linear N.L and N.H over the root of |N|^2, surfaces of the triangle (Duff): phong, set up fast",
     "linear normal, normalised and lit at every pixel",
     "linear normal, normalised by three terms of Taylor's series",
     "linear N.L and N.H over the root of a quadratic |N|^2 (Duff): phong without vectors",
@@ -40,6 +42,7 @@ constexpr const char* kMethodText[] = {
     "mean light of 1 to 8 samples of a pixel's ellipse, as the turn of the normal wants; paper 001",
     "the same in the paper's enlarged triangle: samples outside it are excluded",
     "each triangle by the cheapest method that is sure to stay within --tolerance of phong"};
+static_assert(kMethodText.size() == kMethodCount);
 
 // A bound is in ulp of the output, unless what it is valid for says codes.
 struct Bound {

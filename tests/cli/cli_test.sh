@@ -91,7 +91,7 @@ for engine in rtl model ideal; do
 done
 check 'RTL and model draw the same picture' cmp rtl.png model.png
 accept render builtin:torus:8 builtin:saddle:4 --method all --size 80x60 -o many.png
-check 'one picture per scene and method' test "$(find . -name 'many-*.png' | wc -l)" -eq 54
+check 'one picture per scene and method' test "$(find . -name 'many-*.png' | wc -l)" -eq 56
 accept render builtin:sphere:6 --size 40x30 -o a.exr --camera persp --lighting phong --cull none
 accept verify builtin:sphere:6 --size 64x48 --method all --backpressure random --json v.json
 has_keys v.json method cycles cycles_per_pixel setup_cycles stall_cycles skipped pixels_compared \

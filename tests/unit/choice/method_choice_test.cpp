@@ -58,6 +58,7 @@ TEST(MethodChoice, RtlMatchesModelOnTriangles) {
   for (int i = 0; i < 100000; ++i) {
     ChoiceRegion region;
     region.least_chord = 0.001;
+    region.most_chord = i % 8 == 0 ? 1.7 : 1;
     region.reflected = random() % 2 == 0;
     region.highlight = static_cast<double>(random() % 12);
     const Lighting lighting = region.reflected ? Lighting::kPhong : Lighting::kBlinn;
