@@ -78,6 +78,12 @@ module choice_stage
         choice_q   <= choice;
       end
     end
+
+`ifndef SYNTHESIS
+    always_ff @(posedge clk_i) begin
+      assert (!(take && material_valid_i)) else $error("choice_stage: a limit changes under a triangle");
+    end
+`endif
   end else begin : gen_none
     assign triangle_ready_o = triangle_ready_i;
     assign triangle_valid_o = triangle_valid_i;
