@@ -71,16 +71,20 @@ const units = ['flat_color', 'gouraud_interpolator', ...rows, 'quad_cosine', 'la
   'span_setup', 'span_binder', 'normal_setup', 'linear_recurrence', 'slerp_recurrence', 'slerp_paper',
   'length_recurrence', 'slerp_direct_setup', 'slerp_direct', 'reciprocal_sqrt', 'phong_direct',
   'taylor_normalizer', 'duff_normalizer', 'adaptive_normalizer',
-  'aniso_footprint', 'footprint_mean', 'dot_product', 'pixel_light', 'pixel_queue'];
+  'aniso_footprint', 'footprint_mean', 'dot_product', 'pixel_light', 'pixel_queue',
+  'method_choice'];
 // Multipliers of logic alone make the search for their path take hours.
 const slowPaths = ['normal_setup', 'slerp_direct_setup', 'phong_direct', 'taylor_normalizer', 'pixel_light',
   'duff_normalizer', 'adaptive_normalizer', 'slerp_direct', 'span_setup'];
-// One build per method: bit k of Methods is method k of method_e.
+// One build per method: bit k of Methods is method k of method_e. auto has those that it chooses from.
 const methods = ['flat', 'gouraud', 'quad', 'quad-polynomial', 'quad-horner', 'quad-step',
   'quad-midpoint', 'quad-three-term', 'quad-third-difference', 'quad-segment', 'quad-difference',
-  'quad-footprint', 'quad-split', 'quad-cosine', 'phong-surface', 'phong', 'phong-taylor', 'phong-duff', 'slerp',
-  'slerp-paper', 'slerp-intensity', 'slerp-direct', 'adaptive', 'adaptive-paper', 'adaptive-chord',
-  'footprint', 'footprint-paper'];
+  'quad-footprint', 'quad-split', 'quad-cosine', 'phong-surface', 'phong', 'phong-taylor', 'phong-duff',
+  'slerp', 'slerp-paper', 'slerp-intensity', 'slerp-direct', 'adaptive', 'adaptive-paper', 'adaptive-chord',
+  'footprint', 'footprint-paper', 'auto'];
+const chosen = ['flat', 'gouraud', 'quad', 'quad-cosine', 'phong-surface', 'phong-duff', 'auto'];
+const bitsOf = (method) => methods.reduce((bits, name, k) =>
+  (name === method || (method === 'auto' && chosen.includes(name)) ? bits + 2 ** k : bits), 0);
 const record = new Record(json, 'Yosys 0.70, slang front end', target, files);
 if (record.data.multiplier_lut4 === 0) {
   record.data.multiplier_lut4 = await multiplier();
@@ -104,10 +108,10 @@ for (const name of units.filter(isWanted)) {
   print(name, '', '', record.unit(name));
 }
 for (const lanes of [1, 4]) {
-  for (const [k, method] of methods.entries()) {
+  for (const method of methods) {
     if (!isWanted(method)) continue;
     if (!record.build(method, lanes)) {
-      const parameters = `-G Methods=${methods.length}'d${2 ** k} -G Lanes=${lanes}`;
+      const parameters = `-G Methods=${methods.length}'d${bitsOf(method)} -G Lanes=${lanes}`;
       record.data.builds.push({ method, lanes, ...await cells('shading_unit', parameters) });
       record.write();
     }
