@@ -5,9 +5,8 @@
 // never has to stop. With HasShaded some groups enter with their codes and are not lit.
 //
 // Timing    A group whose codes come in one cycle is on offer from the next, when those before it
-//           have left. A place is free in the
-//           cycle after its group left. No bubble as long as a group is on offer fewer than Depth
-//           cycles after it entered.
+//           have left. A place is free in the cycle after its group left. No bubble as long as a
+//           group is on offer fewer than Depth cycles after it entered.
 // Streams   ready/valid at the walker's and at the pixels' side; the light side never waits.
 // Formats   shading_pkg.
 // Error     None.
