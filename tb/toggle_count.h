@@ -11,8 +11,8 @@ namespace shading::tb {
 // Changes of single bits in a waveform (.fst). Clock, reset and input ports do not count: an input
 // of a unit is an output of another. Names of one net count once.
 struct SignalToggles {
-  std::string path;     // scopes and name, with dots
-  std::string unit;     // the innermost instance u_NAME around it, or "top"
+  std::string path;  // scopes and name, with dots
+  std::string unit;  // the innermost instance u_NAME around it, or "top"
   int64_t bits = 0;
   int64_t toggles = 0;  // changes of them
 };

@@ -16,8 +16,8 @@ inline constexpr std::array<Skip, 8> kSkips = {
     Skip::kNone, Skip::kBackFaces,    Skip::kAmbient, Skip::kConstant,
     Skip::kDark, Skip::kUnnormalised, Skip::kBlack,   Skip::kAll};
 inline constexpr std::array<std::string_view, kSkips.size()> kSkipNames = {
-    "none",           "back faces",       "ambient only",   "one colour",
-    "no highlight",   "no normalisation", "black channels", "all but back faces"};
+    "none",         "back faces",       "ambient only",   "one colour",
+    "no highlight", "no normalisation", "black channels", "all but back faces"};
 
 // An auto frame in which one skip is switched off:
 //   kBackFaces      back faces are drawn

@@ -44,8 +44,7 @@ void Print(const std::string& scene, const TriangleList& list) {
   fmt::print("| not left out | cycles | more | | toggles a pixel | more | |\n");
   fmt::print("|---|--:|--:|--:|--:|--:|--:|\n");
   for (const Skip off : kSkips) {
-    const TracedFrame frame =
-        off == Skip::kNone ? plain : Trace(WorkWithout(list, kOneCode, off));
+    const TracedFrame frame = off == Skip::kNone ? plain : Trace(WorkWithout(list, kOneCode, off));
     PrintRow(off, frame, plain, work.pixels);
   }
   fmt::print("\nauto itself, with the ranges and limits of the scene: {:.1f} toggles a pixel\n",

@@ -16,7 +16,7 @@ namespace shading::test {
 namespace {
 
 constexpr std::array<Method, 8> kMethods = {
-    Method::kFlat,  Method::kGouraud,        Method::kQuad,     Method::kQuadCosine,
+    Method::kFlat,  Method::kGouraud,        Method::kQuad,      Method::kQuadCosine,
     Method::kPhong, Method::kSlerpIntensity, Method::kPhongDuff, Method::kAuto};
 
 // Of one frame, by one method; a number a pixel.
@@ -58,7 +58,7 @@ void PrintUnits(const Rows& rows, double pixels) {
     }
     fmt::print("\n");
   }
-  const auto sums = [&](const char* name, double Row::* number) {
+  const auto sums = [&](const char* name, double Row::*number) {
     fmt::print("| {} |", name);
     for (const Method method : kMethods) fmt::print(" {:.3g} |", rows.at(method).*number);
     fmt::print("\n");
@@ -70,7 +70,7 @@ void PrintUnits(const Rows& rows, double pixels) {
 
 // What auto has of another method's numbers.
 void PrintGain(const Rows& rows, Method other) {
-  const auto change = [&](double Row::* number) {
+  const auto change = [&](double Row::*number) {
     return 100 * (rows.at(Method::kAuto).*number / rows.at(other).*number - 1);
   };
   fmt::print("| {} | {:+.1f} % | {:+.1f} % | {:+.1f} % |\n", Name(other), change(&Row::toggles),

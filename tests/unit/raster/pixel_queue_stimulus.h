@@ -117,8 +117,8 @@ class QueueBench {
     rtl_.Cosines(cosines_);
     lighting_ = at;
     const size_t next = lit.size();
-    light_ = next < to_light_.size() &&
-             cycle >= entered[to_light_[next]] + plan.light[to_light_[next]];
+    light_ =
+        next < to_light_.size() && cycle >= entered[to_light_[next]] + plan.light[to_light_[next]];
     rtl_.Light(light_, light_ ? plan.groups[to_light_[next]] : noise);
     rtl_.Ready(ready);
     rtl_.Settle();

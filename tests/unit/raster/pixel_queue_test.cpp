@@ -174,8 +174,8 @@ void ExpectModelCycles(const QueuePlan<1>& plan, const std::vector<int64_t>& len
     const int64_t offered = entered + 1 + plan.gap[static_cast<size_t>(first)];
     entered = std::max(offered, queue.RoomFor(first, sink) + 1);
     const bool shaded = Build::kHasShaded && plan.groups[static_cast<size_t>(first)].shaded;
-    const int64_t valid = std::max(
-        entered + (shaded ? 0 : light) + PixelQueue::kContract.latency_cycles, left + 1);
+    const int64_t valid =
+        std::max(entered + (shaded ? 0 : light) + PixelQueue::kContract.latency_cycles, left + 1);
     const int64_t rank = sink.always() ? valid : sink.Rank(valid);
     queue.Add({first, length, valid, rank});
     for (int64_t i = 0; i < length; ++i) {
