@@ -6,7 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 namespace shading::tb {
 namespace {
@@ -18,8 +18,9 @@ using Reader = std::unique_ptr<void, CloseReader>;
 
 // A signal of the waveform; those that are the same net share one.
 struct Signal {
-  UnitToggles* unit = nullptr;  // null: not counted
-  std::string value;            // the latest, a character a bit
+  bool counted = false;
+  SignalToggles toggles;
+  std::string value;  // the latest, a character a bit
 };
 using Signals = std::vector<Signal>;
 
@@ -32,39 +33,40 @@ bool IsCounted(std::string_view name) {
   return !EndsWith(plain, "_i") && !EndsWith(plain, "_ni");
 }
 
-Signals ReadSignals(void* reader, Toggles* toggles) {
+Signals ReadSignals(void* reader) {
   Signals signals;
   struct Scope {
-    std::string unit;
+    std::string path, unit;
     bool counted;  // a struct is a scope, too: an input's fields do not count
   };
-  std::vector<Scope> scopes = {{"top", true}};
+  std::vector<Scope> scopes = {{"", "top", true}};
   while (const fstHier* item = fstReaderIterateHier(reader)) {
+    const Scope& around = scopes.back();
     if (item->htyp == FST_HT_SCOPE) {
-      const std::string_view name(item->u.scope.name, item->u.scope.name_length);
-      if (name.substr(0, 2) == "u_") {
-        scopes.push_back({std::string(name.substr(2)), true});
-      } else {
-        scopes.push_back({scopes.back().unit, scopes.back().counted && IsCounted(name)});
-      }
+      const std::string name(item->u.scope.name, item->u.scope.name_length);
+      const bool is_unit = name.rfind("u_", 0) == 0;
+      scopes.push_back({around.path + name + ".", is_unit ? name.substr(2) : around.unit,
+                        is_unit || (around.counted && IsCounted(name))});
     } else if (item->htyp == FST_HT_UPSCOPE) {
       scopes.pop_back();
     } else if (item->htyp == FST_HT_VAR) {
       const size_t handle = item->u.var.handle;
       if (signals.size() <= handle) signals.resize(handle + 1);
-      const std::string_view name(item->u.var.name, item->u.var.name_length);
-      if (signals[handle].unit != nullptr || !scopes.back().counted || !IsCounted(name)) continue;
-      signals[handle].unit = &(*toggles)[scopes.back().unit];
-      signals[handle].unit->bits += item->u.var.length;
+      const std::string name(item->u.var.name, item->u.var.name_length);
+      if (signals[handle].counted || !around.counted || !IsCounted(name)) continue;
+      signals[handle].counted = true;
+      signals[handle].toggles = {around.path + name, around.unit, item->u.var.length, 0};
     }
   }
   return signals;
 }
 
 void Count(std::string_view value, Signal* signal) {
-  if (signal->unit == nullptr) return;
+  if (!signal->counted) return;
   if (signal->value.size() == value.size()) {
-    for (size_t i = 0; i < value.size(); ++i) signal->unit->toggles += signal->value[i] != value[i];
+    for (size_t i = 0; i < value.size(); ++i) {
+      signal->toggles.toggles += signal->value[i] != value[i];
+    }
   }
   signal->value = value;
 }
@@ -79,14 +81,26 @@ void OnLongChange(void* signals, uint64_t, fstHandle handle, const unsigned char
 
 }  // namespace
 
-Toggles CountToggles(const std::string& fst) {
+std::vector<SignalToggles> CountToggles(const std::string& fst) {
   const Reader reader(fstReaderOpen(fst.c_str()));
   if (!reader) throw std::runtime_error(fst + ": not a waveform that can be read");
-  Toggles toggles;
-  Signals signals = ReadSignals(reader.get(), &toggles);
+  Signals signals = ReadSignals(reader.get());
   fstReaderSetFacProcessMaskAll(reader.get());
   fstReaderIterBlocks2(reader.get(), OnChange, OnLongChange, &signals, nullptr);
-  return toggles;
+  std::vector<SignalToggles> counts;
+  for (Signal& signal : signals) {
+    if (signal.counted) counts.push_back(std::move(signal.toggles));
+  }
+  return counts;
+}
+
+Toggles ByUnit(const std::vector<SignalToggles>& signals) {
+  Toggles units;
+  for (const SignalToggles& signal : signals) {
+    units[signal.unit].bits += signal.bits;
+    units[signal.unit].toggles += signal.toggles;
+  }
+  return units;
 }
 
 }  // namespace shading::tb

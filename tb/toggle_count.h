@@ -4,18 +4,26 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace shading::tb {
 
-// Changes of single bits in a waveform (.fst), by unit: the innermost instance u_NAME around a
-// signal, or "top". Clock, reset and input ports do not count: an input of a unit is an output of
-// another.
-// Throws std::runtime_error when the file cannot be read.
-struct UnitToggles {
-  int64_t bits = 0;     // of its signals
+// Changes of single bits in a waveform (.fst). Clock, reset and input ports do not count: an input
+// of a unit is an output of another. Names of one net count once.
+struct SignalToggles {
+  std::string path;  // scopes and name, with dots
+  std::string unit;  // the innermost instance u_NAME around it, or "top"
+  int64_t bits = 0;
   int64_t toggles = 0;  // changes of them
 };
+// Throws std::runtime_error when the file cannot be read.
+std::vector<SignalToggles> CountToggles(const std::string& fst);
+
+// Their sums.
+struct UnitToggles {
+  int64_t bits = 0, toggles = 0;
+};
 using Toggles = std::map<std::string, UnitToggles>;
-Toggles CountToggles(const std::string& fst);
+Toggles ByUnit(const std::vector<SignalToggles>& signals);
 
 }  // namespace shading::tb

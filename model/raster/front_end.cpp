@@ -139,8 +139,9 @@ bool FrontEnd::Draw(const TrianglePacket& packet, const TriangleGeometry& geomet
 Choice FrontEnd::Choose(const TrianglePacket& packet, TriangleState* triangle) const {
   if (method_ != Method::kAuto) return ChoiceOf(method_);
   triangle->range = fit_.Range(packet);
-  return MethodChoice::Of(triangle->range, limits_[static_cast<size_t>(packet.material)],
-                          frame_.lighting);
+  const ChoiceLimit& limit = limits_[static_cast<size_t>(packet.material)];
+  return options_.choose ? options_.choose(triangle->range, limit)
+                         : MethodChoice::Of(triangle->range, limit, frame_.lighting);
 }
 
 void FrontEnd::SetFootprint(const TrianglePacket& packet, const TriangleGeometry& geometry,

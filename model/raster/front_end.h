@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "model/frame_work.h"
 #include "model/raster/subdivision.h"
 #include "model/raster/triangle_fit.h"
@@ -15,6 +18,9 @@ enum class Subdivide { kNever, kReport, kSplit };
 struct FrontEndOptions {
   Tolerance tolerance = Tolerance::FromRaw(int64_t{1} << (Tolerance::kFraction - 1));  // 1/2 code
   Subdivide subdivide = Subdivide::kNever;
+  // Auto: chooses in place of MethodChoice::Of. The shading unit goes by range and limit of the
+  // triangle, so the caller changes these to suit.
+  std::function<Choice(const LightRange&, const ChoiceLimit&)> choose;
 };
 
 // Triangle packets to the commands of the shading unit, integers only: set-up, span walk, vertex

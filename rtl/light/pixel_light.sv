@@ -6,7 +6,7 @@
 //   I = ka + kd (N.L) + ks (R.V)^n                     LightingPhong
 //
 // With is_mean_i the pixels are samples, and diffuse factor and highlight are the mean of a pixel's
-// samples, paper 001.
+// samples, paper 001. A group with dark_i has no highlight: its power is not computed.
 //
 // Timing    Latency 13 cycles, a group of Lanes pixels a cycle, never stalls; 16 from a pixel's
 //           last sample. A material is written at any time when no pixel is inside; the next

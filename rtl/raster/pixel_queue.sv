@@ -4,10 +4,10 @@
 // codes. Admits as many groups of Lanes pixels as it can hold, so that the light pipeline behind it
 // never has to stop. With HasShaded some groups enter with their codes and are not lit.
 //
-// Timing    A group whose codes come in one cycle is on offer from the next, when those before it
-//           have left. A place is free in the
-//           cycle after its group left. No bubble as long as a group is on offer fewer than Depth
-//           cycles after it entered.
+// Timing    A group whose codes come in one cycle, with it or from the light, is on offer from the
+//           next, when those before it have left. A place is free in the cycle after its group
+//           left. No bubble as long as a group is on offer fewer than Depth cycles after it
+//           entered.
 // Streams   ready/valid at the walker's and at the pixels' side; the light side never waits.
 // Formats   shading_pkg.
 // Error     None.

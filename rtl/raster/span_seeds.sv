@@ -8,8 +8,8 @@
 //
 // Timing    That of span_setup and normal_seeds; in auto frames a cycle more for surfaces, and a
 //           triangle passes when the last span of the one before has been taken.
-// Streams   ready/valid; a payload holds until taken. The frame's method changes only while busy_o
-//           is low.
+// Streams   ready/valid; a payload holds until taken. Method and light hold while busy_o is high;
+//           the choice goes with its triangle.
 // Formats   shading_pkg, normal_pkg.
 // Error     That of the units.
 // Model     model/shading_unit.cpp      Doc  docs/units/shading_unit.md

@@ -1,15 +1,28 @@
 #!/usr/bin/env bash
 # Seeds one fault after another and shows by what it is caught; exit 1 if one is not caught.
-# Usage: tests/faults/run.sh [PATTERN [METHODS]]   only faults whose name matches, verified by METHODS (all)
+#
+#   tests/faults/run.sh [PATTERN [METHODS]]
+#
+# PATTERN   only faults whose name or file matches, a regular expression; none that does is an error
+# METHODS   what shadesim verify runs, with commas: all
 #
 # Faults in rtl/ must be stopped by lint, make an assertion of the RTL fail or make `shadesim verify`
-# exit with 1, without or with back-pressure, with one lane or four. Faults in model/ change RTL and model alike, so the unit tests of the front end must
-# catch them. Works on a copy in build/faults, a debug build: one to three minutes a fault.
+# exit with 1, without or with back-pressure, with one lane or four. Faults in model/ change RTL and
+# model alike, so the unit tests of the front end must catch them. Works on a copy in build/faults, a
+# debug build: one to three minutes a fault.
 set -uo pipefail
 CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." || exit 2
 readonly copy=build/faults/source tree=build/faults/build log=build/faults/log
-pattern=${1:-.}
-readonly methods=${2:-all}
+readonly pattern=${1:-.} methods=${2:-all} faults=tests/faults/faults.txt
+
+# chosen NAME FILE: whether the fault is to be seeded.
+chosen() { [[ $1 != \#* && ($1 =~ $pattern || $2 =~ $pattern) ]]; }
+count=0
+while IFS=';' read -r name file _; do chosen "$name" "$file" && ((++count)); done <"$faults"
+if ((count == 0)); then
+  echo "no fault in $faults matches '$pattern'" >&2
+  exit 2
+fi
 
 rm -rf -- "$copy"  # an interrupted run may have left a fault in it
 mkdir -p "$copy"
@@ -43,10 +56,14 @@ catch_in_rtl() {
       verify $flow $lanes
       case $? in
         1) echo "verify, back-pressure $flow, lanes $lanes: $(summary)"; return ;;
-        134) grep -m1 -oE 'Assertion failed.*' build/faults/verify.log | sed 's/.*: /assertion: /' | grep . && return ;;
+        134) assertion && return ;;
       esac
     done
   done
+}
+
+assertion() {
+  grep -m1 -oE 'Assertion failed.*' build/faults/verify.log | sed 's/.*: /assertion: /' | grep .
 }
 
 summary() {
@@ -72,10 +89,11 @@ catch_in_model() {
   done
 }
 
-missed=0
+missed=0 seeded=0
 printf '| fault | file | caught by |\n|---|---|---|\n'
 while IFS=';' read -r -u 3 name file command; do
-  [[ $name != \#* && $name =~ $pattern ]] || continue
+  chosen "$name" "$file" || continue
+  ((++seeded))
   file=${file# }
   sed -i -- "${command# }" "$copy/$file"
   if [[ $(diff "$file" "$copy/$file" | grep -c '^>') -ne 1 ]]; then
@@ -88,5 +106,6 @@ while IFS=';' read -r -u 3 name file command; do
   printf '| %s | %s | %s |\n' "$name" "$file" "${caught:-**not caught**}"
   [[ -n $caught ]] || missed=1
   cp -- "$file" "$copy/$file"
-done 3<tests/faults/faults.txt
+done 3<"$faults"
+echo "$seeded of $(grep -vc '^#' "$faults") faults seeded" >&2
 exit "$missed"

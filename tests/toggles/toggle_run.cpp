@@ -6,16 +6,14 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "Vshading_unit_toggles.h"
+#include "Vshading_unit_toggles___024root.h"
 #include "model/raster/front_end.h"
-#include "tb/rtl_shading_unit.h"
+#include "tb/dut/shading_unit_dut.h"
+#include "tb/scoreboard/scoreboard.h"
 
 namespace shading::test {
 namespace {
-
-class NoPixels : public tb::PixelConsumer {
- public:
-  bool Consume(const TimedPixel*, size_t) override { return true; }
-};
 
 // A waveform that is gone when it has been read.
 class ScratchFile {
@@ -37,19 +35,30 @@ class ScratchFile {
 
 }  // namespace
 
-tb::Toggles TogglesOf(const TriangleList& list, Method method, Tolerance tolerance) {
+FrameWork WorkOf(const TriangleList& list, Method method, Tolerance tolerance) {
   FrontEndOptions options;
   options.tolerance = tolerance;
-  const FrameWork work = FrontEnd::Run(list, method, options);
+  return FrontEnd::Run(list, method, options);
+}
+
+int64_t TracedFrame::toggles() const {
+  int64_t sum = 0;
+  for (const tb::SignalToggles& signal : signals) sum += signal.toggles;
+  return sum;
+}
+
+TracedFrame Trace(const FrameWork& work) {
   const ScratchFile file;
   tb::Observation observation;
   observation.trace = file.name();
-  NoPixels nobody;
   const FlowPattern always = FlowPattern::Always();
-  const tb::RtlResult result =
-      tb::RtlShadingUnit::CreateAll()->Run(work, always, always, &nobody, observation);
+  tb::Scoreboard scoreboard(work, 1, always, always);
+  const tb::RtlResult result = tb::ShadingUnitDut<Vshading_unit_toggles, 1>().Run(
+      work, always, always, &scoreboard, observation);
   if (!result.finished) throw std::runtime_error(result.failure);
-  return tb::CountToggles(file.name());
+  if (!scoreboard.Finish(result).Good()) throw std::runtime_error("RTL and model differ");
+  return {tb::CountToggles(file.name()), result.cycles,
+          static_cast<int64_t>(std::filesystem::file_size(file.name())), result.counters};
 }
 
 }  // namespace shading::test

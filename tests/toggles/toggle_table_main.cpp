@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Prints the toggles of docs/auto.md: toggle_table [SCENE].
+// Prints toggles and operations a pixel for docs/auto.md: toggle_table [SCENE [SIZE]].
 #include <fmt/format.h>
 
 #include <array>
@@ -8,51 +8,91 @@
 #include <map>
 #include <string>
 
-#include "model/raster/front_end.h"
-#include "sim/scene/builtin.h"
-#include "sim/scene/camera.h"
-#include "sim/scene/import.h"
+#include "sim/bench/cost_model.h"
 #include "tests/toggles/toggle_run.h"
+#include "tests/toggles/toggle_scene.h"
 
 namespace shading::test {
 namespace {
 
 constexpr std::array<Method, 8> kMethods = {
-    Method::kFlat,  Method::kGouraud,        Method::kQuad,     Method::kQuadCosine,
+    Method::kFlat,  Method::kGouraud,        Method::kQuad,      Method::kQuadCosine,
     Method::kPhong, Method::kSlerpIntensity, Method::kPhongDuff, Method::kAuto};
 
-void Print(const std::string& scene) {
-  sim::ViewOptions view;
-  view.width = view.height = 96;
-  const TriangleList list = sim::Project(
-      scene.rfind("builtin:", 0) == 0 ? sim::MakeBuiltin(scene) : sim::ImportMesh(scene), view);
-  const double pixels =
-      static_cast<double>(FrontEnd::Run(list, Method::kFlat, {}).pixels);
+// Of one frame, by one method; a number a pixel.
+struct Row {
+  tb::Toggles units;
+  double toggles = 0, operations = 0, cycles = 0;
+  int64_t trace_bytes = 0;
+};
+
+Row Measure(const TriangleList& list, Method method) {
+  const FrameWork work = WorkOf(list, method);
+  const TracedFrame frame = Trace(work);
+  const auto pixels = static_cast<double>(work.pixels);
+  sim::Workload load;
+  load.triangles = static_cast<int64_t>(work.triangles.size());
+  load.spans = static_cast<int64_t>(work.spans.size());
+  load.pixels = work.pixels;
+  load.highlights = LightsPixels(method) ? work.pixels - frame.counters.no_highlight : 0;
+  load.share = work.share;
+  return {tb::ByUnit(frame.signals), static_cast<double>(frame.toggles()) / pixels,
+          sim::PaperCycles(sim::TotalOf(method, load)) / pixels,
+          static_cast<double>(frame.cycles) / pixels, frame.trace_bytes};
+}
+
+using Rows = std::map<Method, Row>;
+
+void PrintUnits(const Rows& rows, double pixels) {
   std::map<std::string, std::map<Method, int64_t>> units;
-  std::map<Method, int64_t> sums;
-  for (const Method method : kMethods) {
-    for (const auto& [unit, count] :
-         TogglesOf(list, method, Tolerance::FromRaw(int64_t{1} << Tolerance::kFraction))) {
-      units[unit][method] = count.toggles;
-      sums[method] += count.toggles;
-    }
+  for (const auto& [method, row] : rows) {
+    for (const auto& [unit, count] : row.units) units[unit][method] = count.toggles;
   }
-  fmt::print("{}, {} x {}, tolerance 1 LSB: changes of bits a pixel\n\n| unit |", scene, view.width,
-             view.height);
+  fmt::print("| unit |");
   for (const Method method : kMethods) fmt::print(" {} |", Name(method));
   fmt::print("\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
-  const auto row = [&](const std::string& name, const std::map<Method, int64_t>& counts) {
-    fmt::print("| {} |", name);
+  for (auto& [unit, counts] : units) {
+    fmt::print("| {} |", unit);
     for (const Method method : kMethods) {
-      const auto found = counts.find(method);
-      const int64_t count = found == counts.end() ? 0 : found->second;
-      const double each = static_cast<double>(count) / pixels;
-      fmt::print(" {} |", count == 0 ? "0" : fmt::format("{:.3g}", each));
+      fmt::print(" {:.3g} |", static_cast<double>(counts[method]) / pixels);
     }
     fmt::print("\n");
+  }
+  const auto sums = [&](const char* name, double Row::*number) {
+    fmt::print("| {} |", name);
+    for (const Method method : kMethods) fmt::print(" {:.3g} |", rows.at(method).*number);
+    fmt::print("\n");
   };
-  for (const auto& [name, counts] : units) row(name, counts);
-  row("all", sums);
+  sums("all", &Row::toggles);
+  sums("weighted operations", &Row::operations);
+  sums("cycles", &Row::cycles);
+}
+
+// What auto has of another method's numbers.
+void PrintGain(const Rows& rows, Method other) {
+  const auto change = [&](double Row::*number) {
+    return 100 * (rows.at(Method::kAuto).*number / rows.at(other).*number - 1);
+  };
+  fmt::print("| {} | {:+.1f} % | {:+.1f} % | {:+.1f} % |\n", Name(other), change(&Row::toggles),
+             change(&Row::operations), change(&Row::cycles));
+}
+
+void Print(const std::string& scene, const TriangleList& list) {
+  Rows rows;
+  for (const Method method : kMethods) rows[method] = Measure(list, method);
+  const FrameWork work = WorkOf(list, Method::kAuto);
+  fmt::print("{}, {} x {}, tolerance 1 LSB: changes of bits a pixel, {} pixels\n\n", scene,
+             list.frame.width, list.frame.height, work.pixels);
+  PrintUnits(rows, static_cast<double>(work.pixels));
+  fmt::print("\n| auto against | toggles | weighted operations | cycles |\n|---|--:|--:|--:|\n");
+  PrintGain(rows, Method::kPhong);
+  const Method best = IsSure(work, Method::kQuadCosine) &&
+                              rows[Method::kQuadCosine].toggles < rows[Method::kPhongDuff].toggles
+                          ? Method::kQuadCosine
+                          : Method::kPhongDuff;
+  PrintGain(rows, best);
+  fmt::print("\n{} is the best single method that is sure; waveform of auto {} KB\n", Name(best),
+             rows[Method::kAuto].trace_bytes / 1024);
 }
 
 }  // namespace
@@ -60,7 +100,8 @@ void Print(const std::string& scene) {
 
 int main(int argc, char** argv) {
   try {
-    shading::test::Print(argc > 1 ? argv[1] : "builtin:sphere:12");
+    const auto scene = shading::test::SceneOf(argc, argv);
+    shading::test::Print(scene.name, scene.list);
   } catch (const std::exception& error) {
     fmt::print(stderr, "toggle_table: {}\n", error.what());
     return 1;

@@ -4,8 +4,10 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tb/stimulus/random_triangles.h"
+#include "tests/toggles/skip.h"
 #include "tests/toggles/toggle_run.h"
 
 namespace shading::test {
@@ -13,15 +15,38 @@ namespace {
 
 // Flags without a reset, once at the start of a waveform.
 constexpr int64_t kSettling = 8;
-constexpr Tolerance kOneCode = Tolerance::FromRaw(int64_t{1} << Tolerance::kFraction);
 
 // Units that a method of intensities has no use for: the light, the normals, the cosines' surfaces.
-const std::set<std::string> kLight = {
-    "normal_setup",      "n_dot_l_curve", "n_dot_h_or_v_curve", "linear_recurrence",
-    "length_recurrence", "slerp_recurrence", "phong_direct",    "duff_normalizer",
-    "n_dot_l",           "n_dot_h_or_v",  "blinn_specular",     "specular_cosine",
-    "rgb_combine",       "cosine_delay",  "dots",               "chord",
-    "angle",             "difference",    "adaptive_normalizer", "slerp_direct"};
+const std::set<std::string> kLight = {"normal_setup",
+                                      "n_dot_l_curve",
+                                      "n_dot_h_or_v_curve",
+                                      "linear_recurrence",
+                                      "length_recurrence",
+                                      "slerp_recurrence",
+                                      "phong_direct",
+                                      "duff_normalizer",
+                                      "n_dot_l",
+                                      "n_dot_h_or_v",
+                                      "blinn_specular",
+                                      "specular_cosine",
+                                      "rgb_combine",
+                                      "cosine_delay",
+                                      "dots",
+                                      "chord",
+                                      "angle",
+                                      "difference",
+                                      "adaptive_normalizer",
+                                      "slerp_direct"};
+
+// Surfaces, one a method.
+const std::set<std::string> kSurfaces = {
+    "flat_color",    "gouraud_interpolator", "quad_surface",    "quad_step",
+    "quad_midpoint", "quad_three_term",      "quad_difference", "quad_third_difference",
+    "quad_segment",  "quad_split",           "quad_polynomial", "quad_horner"};
+
+tb::Toggles TogglesOf(const TriangleList& list, Method method) {
+  return tb::ByUnit(Trace(WorkOf(list, method)).signals);
+}
 
 int64_t Sum(const tb::Toggles& toggles, const std::set<std::string>& units) {
   int64_t sum = 0;
@@ -32,7 +57,7 @@ int64_t Sum(const tb::Toggles& toggles, const std::set<std::string>& units) {
 TEST(Toggles, UnitsOfTheLightHoldWhereIntensitiesAreInterpolated) {
   const TriangleList list = tb::RandomTriangles(3, 60);
   for (const Method method : {Method::kFlat, Method::kGouraud, Method::kQuad}) {
-    const tb::Toggles toggles = TogglesOf(list, method, kOneCode);
+    const tb::Toggles toggles = TogglesOf(list, method);
     EXPECT_GT(toggles.at("pixel_walker").toggles, 0) << Name(method);
     for (const std::string& unit : kLight) {
       ASSERT_EQ(toggles.count(unit), 1U) << unit << ": no such instance";
@@ -42,15 +67,11 @@ TEST(Toggles, UnitsOfTheLightHoldWhereIntensitiesAreInterpolated) {
 }
 
 TEST(Toggles, OnlyTheChosenSurfaceMoves) {
-  const std::set<std::string> kSurfaces = {
-      "flat_color",    "gouraud_interpolator", "quad_surface",    "quad_step",
-      "quad_midpoint", "quad_three_term",      "quad_difference", "quad_third_difference",
-      "quad_segment",  "quad_split",           "quad_polynomial", "quad_horner"};
   const TriangleList list = tb::RandomTriangles(4, 60);
   for (const auto& [method, chosen] :
        {std::pair(Method::kGouraud, "gouraud_interpolator"),
         std::pair(Method::kQuad, "quad_surface"), std::pair(Method::kQuadStep, "quad_step")}) {
-    const tb::Toggles toggles = TogglesOf(list, method, kOneCode);
+    const tb::Toggles toggles = TogglesOf(list, method);
     for (const std::string& unit : kSurfaces) {
       ASSERT_EQ(toggles.count(unit), 1U) << unit << ": no such instance";
       const int64_t changes = toggles.at(unit).toggles;
@@ -59,10 +80,152 @@ TEST(Toggles, OnlyTheChosenSurfaceMoves) {
   }
 }
 
+void ExpectHold(const tb::Toggles& toggles, const std::set<std::string>& units) {
+  for (const std::string& unit : units) {
+    ASSERT_EQ(toggles.count(unit), 1U) << unit << ": no such instance";
+    EXPECT_LE(toggles.at(unit).toggles, kSettling) << unit;
+  }
+}
+
+// Wires from the frame's light, which comes once.
+bool IsOfFrame(const std::string& path) {
+  return path.find("u_dots.gen_component") != std::string::npos &&
+         (path.find("].light") != std::string::npos ||
+          path.find("].half_or_view") != std::string::npos);
+}
+
+TEST(Toggles, LightAndOtherSurfacesHoldInAutoFramesOfOneColourATriangle) {
+  TriangleList list = tb::RandomTriangles(6, 60);
+  for (TrianglePacket& packet : list.triangles) packet.n[1] = packet.n[2] = packet.n[0];
+  const FrameWork work = WorkOf(list, Method::kAuto);
+  ASSERT_EQ(work.share[static_cast<size_t>(Method::kFlat)].pixels, work.pixels);
+  std::vector<tb::SignalToggles> signals;
+  for (tb::SignalToggles& signal : Trace(work).signals) {
+    if (!IsOfFrame(signal.path)) signals.push_back(std::move(signal));
+  }
+  const tb::Toggles toggles = tb::ByUnit(signals);
+  EXPECT_GT(toggles.at("flat_color").toggles, kSettling);
+  std::set<std::string> rest = kSurfaces;
+  rest.erase("flat_color");
+  ExpectHold(toggles, rest);
+  ExpectHold(toggles, kLight);
+}
+
+// The highlight's part of the lit pixels: the power, N.H and its way. Valid bits move, and wires
+// from the set-up and from the materials.
+bool IsOfHighlight(const std::string& path) {
+  for (const char* part : {"u_blinn_specular.", "u_specular_cosine.", "u_n_dot_h_or_v_curve.",
+                           "gen_quantity[1].", "u_cosine_delay.memory"}) {
+    if (path.find(part) == std::string::npos) continue;
+    for (const char* other : {"valid_q", "diffuse", "unlit", ".shininess", "_curve.seed.",
+                              ".n_dot_l", "gen_paper.kappa"}) {
+      if (path.find(other) != std::string::npos) return false;
+    }
+    return true;
+  }
+  return false;
+}
+
+void ExpectNoHighlight(const FrameWork& work, bool holds) {
+  int64_t signals = 0, toggles = 0;
+  for (const tb::SignalToggles& signal : Trace(work).signals) {
+    if (!IsOfHighlight(signal.path)) continue;
+    ++signals;
+    toggles += signal.toggles;
+    if (holds) {
+      EXPECT_LE(signal.toggles, kSettling) << signal.path;
+    }
+  }
+  EXPECT_GT(signals, 20) << "names have changed";
+  if (!holds) {
+    EXPECT_GT(toggles, work.pixels);
+  }
+}
+
+TriangleList WithSpecular(TriangleList list, double specular) {
+  for (Material& material : list.frame.materials) {
+    material.specular.fill(Reflectance::Round(specular));
+  }
+  return list;
+}
+
+// 255 ks of 1/16 code is below what shows; ks = 0 is known to pixel_light, too.
+TEST(Toggles, HighlightHoldsInAutoFramesWithoutOne) {
+  const TriangleList list = tb::RandomTriangles(7, 60);
+  for (const double specular : {0., 1. / 4096}) {
+    const FrameWork work = WorkOf(WithSpecular(list, specular), Method::kAuto);
+    for (const Method method : {Method::kQuadCosine, Method::kPhongDuff}) {
+      EXPECT_GT(work.share[static_cast<size_t>(method)].pixels, 0) << Name(method);
+    }
+    ExpectNoHighlight(work, true);
+  }
+  ExpectNoHighlight(WorkOf(WithSpecular(list, 0.5), Method::kAuto), false);
+}
+
+TEST(Toggles, HighlightHoldsForEveryMethodThatIsToldSo) {
+  const TriangleList list = WithSpecular(tb::RandomTriangles(7, 60), 0.5);
+  for (const Method method : {Method::kQuadCosine, Method::kSlerpIntensity, Method::kPhongDuff}) {
+    SCOPED_TRACE(Name(method));
+    for (const bool dark : {true, false}) {
+      const auto choose = [&](const LightRange&, const ChoiceLimit&) {
+        return Choice{method, dark, false, 7};
+      };
+      ExpectNoHighlight(WorkWith(list, kOneCode, choose), dark);
+    }
+  }
+}
+
+// A list in which auto leaves out everything that it can.
+TriangleList Skippable() {
+  TriangleList list = tb::RandomTriangles(7, 60);
+  for (size_t t = 0; t < 20; ++t) {
+    TrianglePacket& packet = list.triangles[t];
+    packet.n[1] = packet.n[2] = packet.n[0];
+  }
+  for (Material& material : list.frame.materials) {
+    material.ambient[2] = material.diffuse[2] = material.specular[2] = Reflectance::FromRaw(0);
+  }
+  return list;
+}
+
+TEST(Skips, OffMeansOff) {
+  const TriangleList list = Skippable();
+  const auto counters = [&](Skip off) { return Trace(WorkWithout(list, kOneCode, off)).counters; };
+  const Counters none = counters(Skip::kNone);
+  EXPECT_GT(none.ambient, 0);
+  EXPECT_GT(none.dark, 0);
+  EXPECT_GT(none.unnormalised, 0);
+  EXPECT_GT(none.black, 0);
+  EXPECT_EQ(counters(Skip::kAmbient).ambient, 0);
+  EXPECT_LT(counters(Skip::kConstant).constant, none.constant);
+  EXPECT_EQ(counters(Skip::kDark).dark, 0);
+  EXPECT_EQ(counters(Skip::kUnnormalised).unnormalised, 0);
+  EXPECT_EQ(counters(Skip::kBlack).black, 0);
+  EXPECT_GT(counters(Skip::kBackFaces).pixels, none.pixels);
+  const Counters all = counters(Skip::kAll);
+  EXPECT_EQ(all.ambient + all.constant + all.dark + all.unnormalised + all.black, 0);
+}
+
+TEST(Skips, NoneIsAuto) {
+  const TriangleList list = Skippable();
+  const FrameWork by_auto = WorkOf(list, Method::kAuto);
+  const FrameWork same = WorkWithout(list, kOneCode, Skip::kNone);
+  for (const Method method : kAllMethods) {
+    const auto m = static_cast<size_t>(method);
+    EXPECT_EQ(by_auto.share[m].spans, same.share[m].spans) << Name(method);
+  }
+  const TracedFrame a = Trace(by_auto), b = Trace(same);
+  EXPECT_EQ(a.cycles, b.cycles);
+  EXPECT_EQ(a.counters.ambient, b.counters.ambient);
+  EXPECT_EQ(a.counters.dark, b.counters.dark);
+  EXPECT_EQ(a.counters.black, b.counters.black);
+  EXPECT_EQ(a.counters.unlit, b.counters.unlit);
+}
+
 TEST(Toggles, LightMovesWhereItIsWanted) {
   const TriangleList list = tb::RandomTriangles(5, 60);
-  EXPECT_GT(Sum(TogglesOf(list, Method::kPhongDuff, kOneCode), kLight), 0);
-  EXPECT_GT(Sum(TogglesOf(list, Method::kAuto, kOneCode), kLight), 0);
+  EXPECT_GT(Sum(TogglesOf(list, Method::kPhongDuff), kLight), 0);
+  EXPECT_GT(Sum(TogglesOf(list, Method::kAuto), kLight), 0);
 }
 
 }  // namespace

@@ -22,14 +22,20 @@ constexpr size_t kDepth = PixelQueue::kDepth;
 constexpr int kLongestLight = static_cast<int>(kDepth) - 1 - PixelQueue::kContract.latency_cycles;
 using Dut = tb::PixelQueueDut;
 using Dut4 = tb::PixelQueue4Dut;
+using ShadedDut = tb::PixelQueueShadedDut;
+using Shaded4Dut = tb::PixelQueueShaded4Dut;
 
 // Groups that come in the cycles of a flow, through a light whose length changes from group to
-// group, 1 to 63 cycles, and whose cosines are early, late or in the cycle of the entry.
+// group, 1 to 63 cycles, and whose cosines are early, late or in the cycle of the entry. Those that
+// enter with their codes come one by one or many in a row.
 template <int kLanes>
 QueuePlan<kLanes> RandomPlan(Flow source, size_t groups, std::mt19937& random) {
   QueuePlan<kLanes> plan = SteadyPlan<kLanes>(groups, 0, 1, 1);
   int longest = 1;
+  bool shaded = false;
   for (size_t g = 0; g < groups; ++g) {
+    if (random() % 16 == 0) shaded = random() % 2;
+    if (random() % 8 != 0) plan.groups[g].shaded = shaded;
     if (random() % 64 == 0) longest = 1 + static_cast<int>(random() % 63);
     const int light = random() % 2 ? longest : 1 + static_cast<int>(random() % longest);
     plan.light[g] = light;
@@ -62,6 +68,8 @@ class PixelQueueFlow : public testing::TestWithParam<Flows> {
 
 TEST_P(PixelQueueFlow, RtlMatchesModel) { ExpectOutputs<Dut>(); }
 TEST_P(PixelQueueFlow, FourLanesMatchModel) { ExpectOutputs<Dut4>(); }
+TEST_P(PixelQueueFlow, ShadedMatchesModel) { ExpectOutputs<ShadedDut>(); }
+TEST_P(PixelQueueFlow, FourLanesShadedMatchModel) { ExpectOutputs<Shaded4Dut>(); }
 
 constexpr auto kFlows = {Flow::kAlways, Flow::kOneInFour, Flow::kRandom};
 INSTANTIATE_TEST_SUITE_P(AllFlows, PixelQueueFlow,
@@ -90,26 +98,74 @@ TEST(PixelQueue, ContractMatchesRtl) {
   ExpectTiming<Dut4>();
 }
 
-// Spans of 1 to `longest` groups; the groups of a span come without a gap.
+template <int kLanes>
+void SetShaded(bool shaded, QueuePlan<kLanes>* plan) {
+  for (auto& group : plan->groups) group.shaded = shaded;
+}
+
+// Groups with their codes leave a cycle after they entered, at the same rate.
+template <typename Build>
+void ExpectTimingOfShaded() {
+  auto plan = SteadyPlan<Build::kLaneCount>(100, 3, 7, 1);
+  SetShaded(true, &plan);
+  QueueBench<Build> bench;
+  bench.Run(plan, FlowPattern::Always());
+  EXPECT_TRUE(bench.lit.empty());
+  ASSERT_EQ(bench.left.size(), 100u);
+  for (size_t g = 0; g < 100; ++g) {
+    EXPECT_EQ(bench.entered[g], static_cast<int64_t>(g));
+    EXPECT_EQ(bench.left[g] - bench.entered[g], PixelQueue::kContract.latency_cycles);
+  }
+}
+
+TEST(PixelQueue, GroupsWithCodesLeaveInTheNextCycle) {
+  ExpectTimingOfShaded<ShadedDut>();
+  ExpectTimingOfShaded<Shaded4Dut>();
+}
+
+// One group is lit for 40 cycles; those behind it have their codes, and wait.
+template <typename Build>
+void ExpectOrder() {
+  auto plan = SteadyPlan<Build::kLaneCount>(30, 3, 40, 1);
+  SetShaded(true, &plan);
+  plan.groups[0].shaded = false;
+  QueueBench<Build> bench;
+  bench.Run(plan, FlowPattern::Always());
+  ASSERT_EQ(bench.left.size(), 30u);
+  EXPECT_EQ(bench.left[0], 40 + PixelQueue::kContract.latency_cycles);
+  EXPECT_EQ(bench.left[29], bench.left[0] + 29);
+}
+
+TEST(PixelQueue, GroupsWithCodesWaitForThoseThatAreLit) {
+  ExpectOrder<ShadedDut>();
+  ExpectOrder<Shaded4Dut>();
+}
+
+// Spans of 1 to `longest` groups; the groups of a span come without a gap, and all or none of them
+// with codes.
 QueuePlan<1> SpanPlan(int spans, uint32_t longest, int light, std::mt19937& random,
                       std::vector<int64_t>* lengths) {
   lengths->clear();
   std::vector<int> gap;
+  std::vector<bool> shaded;
   for (int span = 0; span < spans; ++span) {
     const int64_t length = random() % 3 == 0 ? 1 : 1 + static_cast<int64_t>(random() % longest);
     lengths->push_back(length);
     gap.push_back(random() % 2 ? 0 : static_cast<int>(random() % 70));
     gap.resize(gap.size() + static_cast<size_t>(length) - 1, 0);
+    shaded.resize(gap.size(), random() % 2);
   }
   QueuePlan<1> plan = SteadyPlan<1>(gap.size(), light - 1, light, 1);
   plan.gap = gap;
+  for (size_t g = 0; g < gap.size(); ++g) plan.groups[g].shaded = shaded[g];
   return plan;
 }
 
 // Entry and leave of every group from the cycle model, span by span.
+template <typename Build>
 void ExpectModelCycles(const QueuePlan<1>& plan, const std::vector<int64_t>& lengths, int light,
                        const FlowPattern& sink) {
-  QueueBench<Dut> bench;
+  QueueBench<Build> bench;
   ASSERT_NO_FATAL_FAILURE(bench.Run(plan, sink));
   PixelQueue queue;
   int64_t entered = -1, left = -1;
@@ -117,8 +173,9 @@ void ExpectModelCycles(const QueuePlan<1>& plan, const std::vector<int64_t>& len
     const int64_t first = queue.groups();
     const int64_t offered = entered + 1 + plan.gap[static_cast<size_t>(first)];
     entered = std::max(offered, queue.RoomFor(first, sink) + 1);
+    const bool shaded = Build::kHasShaded && plan.groups[static_cast<size_t>(first)].shaded;
     const int64_t valid =
-        std::max(entered + light + PixelQueue::kContract.latency_cycles, left + 1);
+        std::max(entered + (shaded ? 0 : light) + PixelQueue::kContract.latency_cycles, left + 1);
     const int64_t rank = sink.always() ? valid : sink.Rank(valid);
     queue.Add({first, length, valid, rank});
     for (int64_t i = 0; i < length; ++i) {
@@ -138,7 +195,9 @@ TEST(PixelQueue, CyclesMatchModel) {
     for (const Flow flow : kFlows) {
       const uint32_t longest = light % 2 ? 300 : 4;
       const QueuePlan<1> plan = SpanPlan(200, longest, light, random, &lengths);
-      ASSERT_NO_FATAL_FAILURE(ExpectModelCycles(plan, lengths, light, PatternOf(flow, 5)));
+      const FlowPattern sink = PatternOf(flow, 5);
+      ASSERT_NO_FATAL_FAILURE(ExpectModelCycles<Dut>(plan, lengths, light, sink));
+      ASSERT_NO_FATAL_FAILURE(ExpectModelCycles<ShadedDut>(plan, lengths, light, sink));
     }
   }
 }
@@ -163,7 +222,7 @@ TEST(PixelQueue, NoBubbleAtFullRate) {
 template <typename Build>
 void ExpectSixtyFourPlaces() {
   QueueBench<Build> bench;
-  const auto plan = SteadyPlan<Build::kLaneCount>(200, 0, 1, 1);
+  const auto plan = SteadyPlan<Build::kLaneCount>(200, 0, 1, 1);  // some with codes
   const std::string stall(300, '0');
   bench.Run(plan, FlowPattern::Recorded(stall + "10001"));
   ASSERT_EQ(bench.left.size(), 200u);
@@ -177,11 +236,14 @@ void ExpectSixtyFourPlaces() {
 TEST(PixelQueue, HoldsSixtyFourGroups) {
   ExpectSixtyFourPlaces<Dut>();
   ExpectSixtyFourPlaces<Dut4>();
+  ExpectSixtyFourPlaces<ShadedDut>();
+  ExpectSixtyFourPlaces<Shaded4Dut>();
 }
 
-TEST(PixelQueue, ResetDropsTheGroups) {
-  QueueBench<Dut4> bench;
-  bench.Run(SteadyPlan<4>(40, 1, 9, 1), FlowPattern::Always(), 20);
+template <typename Build>
+void ExpectEmptyAfterReset() {
+  QueueBench<Build> bench;
+  bench.Run(SteadyPlan<Build::kLaneCount>(40, 1, 9, 1), FlowPattern::Always(), 20);
   ASSERT_GT(bench.entered.size(), bench.left.size());
   bench.rtl().Reset();
   EXPECT_TRUE(bench.rtl().enter_ready());
@@ -189,9 +251,25 @@ TEST(PixelQueue, ResetDropsTheGroups) {
   EXPECT_FALSE(bench.rtl().pixel_valid());
 }
 
+TEST(PixelQueue, ResetDropsTheGroups) {
+  ExpectEmptyAfterReset<Dut4>();
+  ExpectEmptyAfterReset<Shaded4Dut>();
+}
+
 TEST(PixelQueueDeathTest, CodesOfNoPixelStopTheSimulation) {
   Dut rtl;
   rtl.Light(true, {});
+  EXPECT_EXIT(rtl.Tick(), testing::KilledBySignal(SIGABRT), "");
+}
+
+TEST(PixelQueueDeathTest, CodesForAGroupThatHasThemStopTheSimulation) {
+  ShadedDut rtl;
+  tb::PixelGroup<1> group;
+  group.shaded = true;
+  rtl.Enter(true, group);
+  rtl.Tick();
+  rtl.Enter(false, group);
+  rtl.Light(true, group);
   EXPECT_EXIT(rtl.Tick(), testing::KilledBySignal(SIGABRT), "");
 }
 

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "model/frame_work.h"
+#include "model/triangle_packet.h"
+
+namespace shading::test {
+
+// The words SCENE [SIZE] of a command line: builtin:NAME or a mesh file, on SIZE x SIZE pixels, 96
+// when not given: small, as every bit of every cycle is looked at. Throws std::runtime_error as
+// MakeBuiltin, ImportMesh and Project do.
+struct ToggleScene {
+  std::string name;
+  TriangleList list;
+};
+ToggleScene SceneOf(int argc, char** argv);
+
+// Whether an auto frame could have taken this one method for every triangle.
+bool IsSure(const FrameWork& work, Method method);
+
+}  // namespace shading::test
