@@ -24,9 +24,9 @@ inline constexpr std::array<std::string_view, kSkips.size()> kSkipNames = {
 //   kAmbient        a triangle that no light reaches is chosen for as if N.L = 1 on it
 //   kConstant       flat is not allowed: the next method that is sure
 //   kDark           a method that lights pixels lights the highlight, too
-//   kUnnormalised   phong-duff where quad-cosine or slerp-intensity would do
+//   kUnnormalised   phong-surface where quad-cosine would do
 //   kBlack          every channel of every material counts
-//   kAll            all of these but kBackFaces: phong-duff, with its highlight
+//   kAll            all of these but kBackFaces: an exact method, with its highlight
 // kNone has the choices of auto.
 FrameWork WorkWithout(const TriangleList& list, Tolerance tolerance, Skip off);
 

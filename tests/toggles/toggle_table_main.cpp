@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<Method, 8> kMethods = {
     Method::kFlat,  Method::kGouraud,        Method::kQuad,      Method::kQuadCosine,
-    Method::kPhong, Method::kSlerpIntensity, Method::kPhongDuff, Method::kAuto};
+    Method::kPhong, Method::kPhongSurface, Method::kPhongDuff, Method::kAuto};
 
 // Of one frame, by one method; a number a pixel.
 struct Row {

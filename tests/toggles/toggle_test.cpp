@@ -164,7 +164,7 @@ TEST(Toggles, HighlightHoldsInAutoFramesWithoutOne) {
 
 TEST(Toggles, HighlightHoldsForEveryMethodThatIsToldSo) {
   const TriangleList list = WithSpecular(tb::RandomTriangles(7, 60), 0.5);
-  for (const Method method : {Method::kQuadCosine, Method::kSlerpIntensity, Method::kPhongDuff}) {
+  for (const Method method : {Method::kQuadCosine, Method::kPhongSurface, Method::kPhongDuff}) {
     SCOPED_TRACE(Name(method));
     for (const bool dark : {true, false}) {
       const auto choose = [&](const LightRange&, const ChoiceLimit&) {
