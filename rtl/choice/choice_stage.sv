@@ -81,7 +81,7 @@ module choice_stage
 
 `ifndef SYNTHESIS
     always_ff @(posedge clk_i) begin
-      assert (!(take && material_valid_i)) else $error("choice_stage: a limit changes under a triangle");
+      assert (!(take && material_valid_i)) else $error("choice_stage: a limit changes");
     end
 `endif
   end else begin : gen_none

@@ -7,7 +7,7 @@
 //
 // of the diffuse and the specular light, both sums of logarithms of the material, of the turn l of
 // the normals, of n and of the brightest highlight on the triangle. First of flat, gouraud, quad,
-// quad-cosine; else one that is exact, phong-surface up to a turn of 104 degrees, phong-duff beyond.
+// quad-cosine; else one that is exact, phong-surface up to 104 degrees, phong-duff beyond.
 //
 // Timing    Combinational.
 // Formats   turn U2.22, cosines S1.16, logarithms S6.5 in and S8.5 inside, rounded up.

@@ -11,10 +11,10 @@
 // Two products a span with A, C and x's slope changing by row (quad), one without (gouraud), none
 // for a constant (flat). A part of span_setup and its page; it has no page of its own.
 //
-// Timing    load_i takes a surface at its row 0; next_row_i moves one row down, load_i wins. start_i
+// Timing    load_i takes a surface at its row 0; next_row_i moves a row down, load_i wins. start_i
 //           takes the row and forms A x, and sees the new row where next_row_i comes with it;
-//           finish_i the last product; write_i the seed. One after the other, a cycle or more apart;
-//           one span in each.
+//           finish_i the last product; write_i the seed. They come in this order, a cycle or more
+//           apart, one span in each.
 // Formats   those of the types: surfaces of intensities S9.26, of cosines S1.44; sums and products
 //           keep the low bits, exact wherever the result fits.
 // Gating    What the method of the span does not use holds, operands of the multipliers included.

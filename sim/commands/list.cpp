@@ -28,7 +28,7 @@ constexpr std::array kMethodText = {
     "quad with the mean over a pixel's footprint, paper 001: a constant of the triangle",
     "second-order surfaces of unclamped diffuse and of specular light, clamped and added per pixel",
     "second-order surfaces of unclamped N.L and N.H, clamp and power per pixel",
-    "linear N.L and N.H over the root of |N|^2, surfaces of the triangle (Duff): phong, set up fast",
+    "phong-duff from surfaces of the triangle: set up in a cycle; normals up to 104 degrees apart",
     "linear normal, normalised and lit at every pixel",
     "linear normal, normalised by three terms of Taylor's series",
     "linear N.L and N.H over the root of a quadratic |N|^2 (Duff): phong without vectors",

@@ -78,9 +78,10 @@ TEST_P(Picture, WithinBoundOfTheClosedForm) {
 
 INSTANTIATE_TEST_SUITE_P(
     LitMethods, Picture,
-    testing::Combine(testing::Values(Method::kPhongSurface, Method::kPhong, Method::kPhongTaylor, Method::kPhongDuff,
-                                     Method::kSlerp, Method::kSlerpPaper, Method::kSlerpIntensity,
-                                     Method::kSlerpDirect, Method::kAdaptive),
+    testing::Combine(testing::Values(Method::kPhongSurface, Method::kPhong, Method::kPhongTaylor,
+                                     Method::kPhongDuff, Method::kSlerp, Method::kSlerpPaper,
+                                     Method::kSlerpIntensity, Method::kSlerpDirect,
+                                     Method::kAdaptive),
                      testing::Values(1, kMaxLanes)),
     [](const auto& test) {
       std::string name(Name(std::get<0>(test.param)));

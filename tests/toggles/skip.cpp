@@ -78,7 +78,7 @@ LightRange RangeFor(const Choice& wanted, Lighting lighting) {
   // Turns as floating-point numbers of 5 bits; a terminator keeps quad from being chosen.
   for (const RangeCosine low : {kFull, RangeCosine::FromRaw(-kFull.raw())}) {
     range.n_dot_l_low = wanted.ambient ? kNothing : low;
-    for (int exponent = 0; exponent < Turn::kWidth; ++exponent) {
+    for (int exponent = 0; exponent <= Turn::kWidth; ++exponent) {
       for (int64_t mantissa = 0; mantissa < 32; ++mantissa) {
         const int64_t turn = exponent == 0 ? 0 : (32 + mantissa) << exponent >> 6;
         range.turn = Turn::FromRaw(turn);
