@@ -9,7 +9,9 @@ export class Record {
   constructor(path, tool, target, files) {
     this.path = path;
     const hash = createHash('sha256');
-    for (const name of Object.keys(files).sort()) hash.update(`${name}\0${files[name]}\0`);
+    for (const name of Object.keys(files).sort()) {
+      hash.update(`${name}\0${files[name].replace(/\/\/.*$/gm, '')}\0`);  // comments do not count
+    }
     this.data = {
       format: 'shadesim-synthesis', version: 1, tool, target, rtl: hash.digest('hex'),
       multiplier_lut4: 0, units: [], builds: [],
