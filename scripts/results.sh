@@ -60,7 +60,7 @@ fi
 case $level in
   quick)
     scenes=(builtin:sphere:12 builtin:torus:12 builtin:saddle:8 --size 160x120)
-    random=2000 seconds=0.05 bench=(--quick) stress=(--quick)
+    demo=(builtin:mixed --size 320x240) random=2000 seconds=0.05 bench=(--quick) stress=(--quick)
     ((${#meshes[@]} == 0)) || meshes+=(--size 96x72) ;;
   smoke)
     methods=flat,phong,slerp-paper,footprint

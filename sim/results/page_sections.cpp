@@ -58,6 +58,8 @@ std::string VerifyOf(RunFolder* folder) {
 }
 
 void AddFrames(RunFolder* folder, Sections* sections) {
+  (*sections)["work"] = folder->With(
+      "cycles-1.json", [](const Json& cycles) { return WorkTable(cycles).Markdown(); });
   (*sections)["cycles"] = folder->With("cycles-4.json", [&](const Json& four) {
     const Json& one = folder->Read("cycles-1.json");
     const Json& run = one.at("runs").at(0);
@@ -66,8 +68,6 @@ void AddFrames(RunFolder* folder, Sections* sections) {
                                run.at("pixels").get<int64_t>()),
                    FrameCycleTable(one, four));
   });
-  (*sections)["work"] = folder->With(
-      "cycles-1.json", [](const Json& cycles) { return WorkTable(cycles).Markdown(); });
   (*sections)["errors"] = folder->With("errors.json", [&](const Json& render) {
     return Section(By(*folder, "errors.json"),
                    "LSB = 1/255, all covered pixels and channels, rounding of the code (1/2 LSB) "
