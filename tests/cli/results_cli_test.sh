@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # scripts/results.sh from the commands to the page. Usage: results_cli_test.sh SHADESIM
+root=$(realpath -- "$(dirname -- "${BASH_SOURCE[0]}")/../..")
 # shellcheck source=tests/cli/checks.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/checks.sh" "$1"
-root=$(realpath -- "$(dirname -- "${BASH_SOURCE[0]}")/../..")
 script=$root/scripts/results.sh
 bin=$(dirname -- "$shadesim")
 
