@@ -52,7 +52,8 @@ struct RunStats {
 };
 
 // The keys that other programs read, for all runs together at the top and one by one in "runs";
-// the command that made them, version and machine. Several runs have method "all" where methods differ, and the size only where it is the same.
+// the command that made them, version and machine. Several runs have method "all" where methods
+// differ, and the size only where it is the same.
 void WriteJson(const std::string& path, const std::string& command,
                const std::vector<RunStats>& runs);
 

@@ -39,7 +39,8 @@ std::string FillTemplate(const std::string& text, const Sections& sections) {
   }
   for (const auto& [name, section] : sections) {
     if (used.count(name) == 0) {
-      throw std::runtime_error(fmt::format("section {0}: the template has no line {{{{{0}}}}}", name));
+      throw std::runtime_error(
+          fmt::format("section {0}: the template has no line {{{{{0}}}}}", name));
     }
   }
   return filled;

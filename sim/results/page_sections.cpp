@@ -64,8 +64,9 @@ void AddFrames(RunFolder* folder, Sections* sections) {
     const Json& one = folder->Read("cycles-1.json");
     const Json& run = one.at("runs").at(0);
     return Section(fmt::format("{} and `--lanes 4`", By(*folder, "cycles-1.json")),
-                   fmt::format("{} spans, {} pixels.", run.at("spans").get<int64_t>(),
-                               run.at("pixels").get<int64_t>()),
+                   fmt::format("{} spans, {} pixels, {:.1f} a span.",
+                               run.at("spans").get<int64_t>(), run.at("pixels").get<int64_t>(),
+                               run.at("pixels").get<double>() / run.at("spans").get<double>()),
                    FrameCycleTable(one, four));
   });
   (*sections)["errors"] = folder->With("errors.json", [&](const Json& render) {
@@ -92,11 +93,10 @@ void AddStress(RunFolder* folder, Sections* sections) {
 
 void AddSpeed(RunFolder* folder, Sections* sections) {
   (*sections)["speed"] = folder->With("speed.json", [&](const Json& speed) {
-    return fmt::format("{}\n{}\n",
-                       Section(By(*folder, "speed.json"),
-                               "one core, M pixels per second.",
-                               SpeedTable(speed)),
-                       SpeedWords(speed, kModelGoal));
+    return fmt::format(
+        "{}\n{}\n",
+        Section(By(*folder, "speed.json"), "one core, M pixels per second.", SpeedTable(speed)),
+        SpeedWords(speed, kModelGoal));
   });
 }
 

@@ -32,8 +32,9 @@ void WritePage(const std::string& template_path, const std::string& folder_path,
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    fmt::print(stderr,
-               "Usage: results_page TEMPLATE DIR PAGE   from what scripts/results.sh wrote to DIR\n");
+    fmt::print(
+        stderr,
+        "Usage: results_page TEMPLATE DIR PAGE   from what scripts/results.sh wrote to DIR\n");
     return 2;
   }
   try {

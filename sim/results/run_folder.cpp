@@ -46,8 +46,7 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     synthesis_ = run.at("synthesis");
     synthesis_note_ = run.at("synthesis_note");
     for (const Json& step : run.at("steps")) {
-      steps_.push_back(
-          {step.at("file"), WithoutOutputs(step.at("command")), step.at("seconds")});
+      steps_.push_back({step.at("file"), WithoutOutputs(step.at("command")), step.at("seconds")});
     }
   });
 }

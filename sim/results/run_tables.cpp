@@ -15,7 +15,9 @@ using report::Table;
 
 Entry Count(const Json& run, const char* key) { return Entry::Count(run.at(key).get<int64_t>()); }
 
-Entry Fixed(double value, int digits) { return Entry(value, fmt::format("{:.{}f}", value, digits)); }
+Entry Fixed(double value, int digits) {
+  return Entry(value, fmt::format("{:.{}f}", value, digits));
+}
 
 Entry Decibels(const Json& psnr) {
   return psnr.is_null() ? Entry("no error") : Fixed(psnr.get<double>(), 1);

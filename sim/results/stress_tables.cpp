@@ -19,9 +19,7 @@ using report::Table;
 // Beyond it stands what is no number.
 constexpr double kNoNumber = 1e200;
 
-Entry Size(double value) {
-  return value < kNoNumber ? Entry(value) : Entry(value, "no number");
-}
+Entry Size(double value) { return value < kNoNumber ? Entry(value) : Entry(value, "no number"); }
 
 Entry Ratio(double value) { return Entry(value, fmt::format("{:.3f}", value)); }
 

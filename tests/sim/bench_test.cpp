@@ -119,6 +119,12 @@ TEST(Measure, EveryCycleIsOfOneKind) {
   }
 }
 
+TEST(Measure, LatencyIsThatOfTheContract) {
+  const SpanCurve curve = MeasureSpans(Method::kQuad, 1, {16}, 8);
+  EXPECT_EQ(curve.latency, ShadingUnit::kContract.latency_cycles);
+  EXPECT_EQ(curve.CyclesOf(16), 16);
+}
+
 // Lanes, tolerances and methods of one closed form share it, whatever goes to keep the budget.
 TEST(Measure, SharedClosedFormsAreThoseOfThePicture) {
   const TriangleList one = WithShininess(SmallScene(), 1), many = WithShininess(SmallScene(), 128);

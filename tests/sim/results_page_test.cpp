@@ -36,18 +36,22 @@ Json RunJson(const std::string& method, int lanes, int64_t cycles) {
 }
 
 Json Runs(int lanes) {
-  Json json = {{"shadesim", "9.9"},     {"machine", "a loom"},     {"pixels_compared", 200},
-               {"pixels_expected", 203}, {"pixel_mismatches", 3},   {"spans_compared", 20},
-               {"spans_expected", 20},   {"cycle_mismatches", 0},   {"bad_frames", 0}};
+  Json json = {{"shadesim", "9.9"},      {"machine", "a loom"},   {"pixels_compared", 200},
+               {"pixels_expected", 203}, {"pixel_mismatches", 3}, {"spans_compared", 20},
+               {"spans_expected", 20},   {"cycle_mismatches", 0}, {"bad_frames", 0}};
   json["runs"] = {RunJson("adaptive", lanes, 140), RunJson("quad", lanes, 101)};
   return json;
 }
 
 Json Speeds() {
   Json list = Json::array();
-  for (const auto& [name, rate] : std::vector<std::pair<std::string, double>>{
-           {"rtl_alone/quad", 1e6}, {"rtl_checked/quad", 0.8e6}, {"model_alone/quad", 21e6},
-           {"rtl_alone/slerp", 1e6}, {"rtl_checked/slerp", 1e6}, {"model_alone/slerp", 19e6}}) {
+  for (const auto& [name, rate] :
+       std::vector<std::pair<std::string, double>>{{"rtl_alone/quad", 1e6},
+                                                   {"rtl_checked/quad", 0.8e6},
+                                                   {"model_alone/quad", 21e6},
+                                                   {"rtl_alone/slerp", 1e6},
+                                                   {"rtl_checked/slerp", 1e6},
+                                                   {"model_alone/slerp", 19e6}}) {
     list.push_back({{"run_name", name}, {"items_per_second", rate}});
   }
   return {{"benchmarks", list}};
@@ -65,7 +69,8 @@ Json Stress(double share, bool broken) {
              {"broken", broken},
              {"evaluations", 1000}}}},
           {"conditions", Json::array()},
-          {"word_lengths", {{{"form", "(5)"}, {"fraction_bits", 10}, {"nearest", 2.5}, {"truncated", 5}}}},
+          {"word_lengths",
+           {{{"form", "(5)"}, {"fraction_bits", 10}, {"nearest", 2.5}, {"truncated", 5}}}},
           {"not_searched", {{{"unit", "span_setup"}, {"reason", "exact"}}}}};
 }
 
@@ -105,8 +110,12 @@ class ResultsTest : public FileTest {
     put("stress/stress.json", "shadesim stress", Stress(0.998, false));
     put("narrow/stress.json", "shadesim stress --narrow all", Stress(1.996, true));
     put("speed.json", "shading_unit_bench", Speeds());
-    run_ = {{"format", "shadesim-results"}, {"version", 1},    {"revision", "abc123"},
-            {"quick", false},               {"synthesis", ""}, {"synthesis_note", "not made"},
+    run_ = {{"format", "shadesim-results"},
+            {"version", 1},
+            {"revision", "abc123"},
+            {"quick", false},
+            {"synthesis", ""},
+            {"synthesis_note", "not made"},
             {"steps", steps}};
     WriteRun();
   }
@@ -138,8 +147,9 @@ TEST_F(ResultsTest, ShowsWhatWasMeasured) {
             std::string::npos);
   EXPECT_NE(page.at("fronts").find("quad in"), page.at("fronts").find("| quad |"));
   EXPECT_NE(page.at("spans").find("| quad | 5 |"), std::string::npos);
-  EXPECT_NE(page.at("stress-bounds").find("0 of 1 bounds and 0 of 0 conditions are broken; with a "
-                                          "bit less 1 of 1 bounds."),
+  EXPECT_NE(page.at("stress-bounds")
+                .find("0 of 1 bounds and 0 of 0 conditions are broken; with a "
+                      "bit less 1 of 1 bounds."),
             std::string::npos);
   EXPECT_NE(page.at("stress-bounds").find("| codes | 0.998 | 1.996 | 1000 |"), std::string::npos);
   EXPECT_NE(page.at("stress-words").find("| 10 | 2.5 / 5 |"), std::string::npos);
