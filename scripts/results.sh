@@ -7,8 +7,8 @@ usage() {
 Usage: scripts/results.sh [OPTION...]
 
 Runs shadesim verify, cycles, render, bench and stress and shading_unit_bench, then fills
-docs/results.in.md with what they wrote: docs/results.md. On 2 cores that do nothing else about
-25 minutes. A run that was stopped goes on where it was, as long as the programs are the same.
+docs/results.in.md with what they wrote: docs/results.md, which says how long each command took.
+A run that was stopped goes on where it was, as long as the programs are the same.
 
   --quick       fewer triangles, smaller pictures, shorter searches; the page says so
   --smoke       four methods and the least of everything, to see that it works; with --page
