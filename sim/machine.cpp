@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -21,12 +22,18 @@ std::string Find(const char* path, const std::string& key, const std::string& ot
   return otherwise;
 }
 
+// "16 GB", rounded; /proc/meminfo counts in KiB.
+std::string Memory() {
+  const double kib = std::atof(Find("/proc/meminfo", "MemTotal", "0").c_str());
+  return kib > 0 ? fmt::format("{:.0f} GB", kib * 1024 / 1e9) : "unknown memory";
+}
+
 }  // namespace
 
 std::string DescribeMachine() {
-  return fmt::format("{} cores of {}, {}, g++ {}, Verilator {}",
+  return fmt::format("{} cores of {}, {}, {}, g++ {}, Verilator {}",
                      std::thread::hardware_concurrency(),
-                     Find("/proc/cpuinfo", "model name", "an unnamed processor"),
+                     Find("/proc/cpuinfo", "model name", "an unnamed processor"), Memory(),
                      Find("/etc/os-release", "PRETTY_NAME", "an unnamed system"), __VERSION__,
                      SHADESIM_VERILATOR_VERSION);
 }

@@ -5,7 +5,7 @@
 
 namespace shading::sim {
 
-// What times depend on, in one line: processor, cores, system, compiler, Verilator.
+// What times depend on, in one line: processor, cores, memory, system, compiler, Verilator.
 std::string DescribeMachine();
 
 }  // namespace shading::sim

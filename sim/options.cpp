@@ -124,7 +124,7 @@ void AddBench(CLI::App* app, Options* o, Words* w) {
   bench->add_option("--synthesis", o->synthesis, "areas, from scripts/synth.sh --json")
       ->capture_default_str()
       ->each([o](const std::string&) { o->synthesis_given = true; });
-  bench->add_option("--markdown", o->markdown, "write the tables of docs/results.md");
+  bench->add_option("--markdown", o->markdown, "write the tables as Markdown");
   bench->add_option("--jobs", o->jobs, "threads")->capture_default_str()->check(CLI::Range(1, 256));
   bench->add_flag("--quiet", o->quiet, "print errors only");
 }

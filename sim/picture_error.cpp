@@ -59,12 +59,11 @@ void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, const Vi
 template <typename Visit>
 void ForEachPixel(const FrameBuffer& picture, const TriangleList& list, Method method,
                   const Visit& visit) {
-  if (method == Method::kQuadFootprint) {
-    return ForEachPixel<ideal::QuadraticFootprint>(picture, list, visit);
-  }
-  if (IsQuadRow(method)) return ForEachPixel<ideal::Quadratic>(picture, list, visit);
-  if (IsSpherical(method)) return ForEachPixel<ideal::Slerp>(picture, list, visit);
-  switch (method) {
+  switch (ClosedFormOf(method)) {
+    case Method::kQuadFootprint:
+      return ForEachPixel<ideal::QuadraticFootprint>(picture, list, visit);
+    case Method::kQuad: return ForEachPixel<ideal::Quadratic>(picture, list, visit);
+    case Method::kSlerp: return ForEachPixel<ideal::Slerp>(picture, list, visit);
     case Method::kFlat: return ForEachPixel<ideal::Flat>(picture, list, visit);
     case Method::kGouraud: return ForEachPixel<ideal::Gouraud>(picture, list, visit);
     case Method::kQuadSplit: return ForEachPixel<ideal::QuadSplit>(picture, list, visit);
@@ -101,11 +100,52 @@ class ErrorSum {
 
 }  // namespace
 
-PictureError ErrorAgainstPhong(const FrameBuffer& picture, const TriangleList& list) {
+Method ClosedFormOf(Method method) {
+  if (method == Method::kQuadFootprint) return method;
+  if (IsQuadRow(method)) return Method::kQuad;
+  if (IsSpherical(method)) return Method::kSlerp;
+  switch (method) {
+    case Method::kFlat:
+    case Method::kGouraud:
+    case Method::kQuadSplit:
+    case Method::kQuadCosine:
+    case Method::kPhongTaylor:
+    case Method::kFootprint:
+    case Method::kFootprintPaper: return method;
+    default: return Method::kPhong;
+  }
+}
+
+IdealPicture::IdealPicture(const FrameBuffer& covered, const TriangleList& list, Method method)
+    : triangle_(covered.size()) {
+  for (size_t at = 0; at < covered.size(); ++at) triangle_[at] = covered.triangle(at);
+  ForEachPixel(covered, list, method,
+               [this](size_t, const ideal::Rgb& exact) { exact_.push_back(exact); });
+}
+
+bool IdealPicture::Fits(const FrameBuffer& picture) const {
+  if (picture.size() != triangle_.size()) return false;
+  for (size_t at = 0; at < triangle_.size(); ++at) {
+    if (picture.triangle(at) != triangle_[at]) return false;
+  }
+  return true;
+}
+
+PictureError IdealPicture::ErrorOf(const FrameBuffer& picture) const {
   ErrorSum sum(picture);
-  ForEachPixel<ideal::Phong>(picture, list,
-                             [&](size_t at, const ideal::Rgb& exact) { sum(at, exact); });
+  auto exact = exact_.begin();
+  for (size_t at = 0; at < triangle_.size(); ++at) {
+    if (triangle_[at] != FrameBuffer::kNobody) sum(at, *exact++);
+  }
   return sum.Result();
+}
+
+size_t IdealPicture::bytes() const {
+  return triangle_.size() * sizeof(triangle_[0]) + exact_.size() * sizeof(ideal::Rgb);
+}
+
+PictureError ErrorAgainstPhong(const FrameBuffer& picture, const TriangleList& list) {
+  return ErrorAgainstClosedForm(picture, list, Method::kPhong);
 }
 
 PictureError ErrorAgainstClosedForm(const FrameBuffer& picture, const TriangleList& list,

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/io/atomic_file.h"
+#include "sim/machine.h"
 #include "sim/run_stats.h"
 
 namespace shading::sim {
@@ -89,7 +90,8 @@ Json ToJson(const RunStats& run) {
 
 }  // namespace
 
-void WriteJson(const std::string& path, const std::vector<RunStats>& runs) {
+void WriteJson(const std::string& path, const std::string& command,
+               const std::vector<RunStats>& runs) {
   RunStats total;
   total.scene = runs.size() == 1 ? runs[0].scene : "all";
   total.engine = runs[0].engine;
@@ -103,6 +105,9 @@ void WriteJson(const std::string& path, const std::vector<RunStats>& runs) {
     total.Add(run);
   }
   Json json = ToJson(total);
+  json["command"] = command;
+  json["shadesim"] = SHADESIM_VERSION;
+  json["machine"] = DescribeMachine();
   for (const RunStats& run : runs) json["runs"].push_back(ToJson(run));
   AtomicFile file(path);
   file.stream() << json.dump(2) << '\n';

@@ -51,9 +51,11 @@ struct RunStats {
   void Add(const RunStats& other);  // sums; errors become the worst, scene and method stay
 };
 
-// The keys that other programs read, for all runs together at the top and one by one in "runs".
-// Several runs have method "all" where methods differ, and the size only where it is the same.
-void WriteJson(const std::string& path, const std::vector<RunStats>& runs);
+// The keys that other programs read, for all runs together at the top and one by one in "runs";
+// the command that made them, version and machine. Several runs have method "all" where methods
+// differ, and the size only where it is the same.
+void WriteJson(const std::string& path, const std::string& command,
+               const std::vector<RunStats>& runs);
 
 // A few lines of text for a person.
 std::string Summary(const RunStats& run);

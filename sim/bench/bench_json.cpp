@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "sim/bench/face.h"
 
@@ -162,6 +164,32 @@ SpanCurve CurveFromJson(const Json& json) {
   const std::vector<double> cycles = json.at("cycles");
   for (size_t i = 0; i < lengths.size(); ++i) curve.points.push_back({lengths[i], cycles.at(i)});
   return curve;
+}
+
+Results ResultsFromJson(const Json& json) {
+  if (json.at("format") != "shadesim-bench" || json.at("version") != 1) {
+    throw std::invalid_argument("format is not shadesim-bench, version 1");
+  }
+  Results results;
+  results.command = json.at("command");
+  results.version = json.at("shadesim");
+  results.machine = json.at("machine");
+  results.width = json.at("width");
+  results.height = json.at("height");
+  for (const Json& method : json.at("operations")) {
+    results.methods.push_back(MethodOf(method.at("method")));
+  }
+  const auto add = [](const auto& value, auto* list) {
+    if (std::find(list->begin(), list->end(), value) == list->end()) list->push_back(value);
+  };
+  for (const Json& cell : json.at("cells")) {
+    results.cells.push_back(CellFromJson(cell));
+    add(results.cells.back().key.scene, &results.scenes);
+    add(results.cells.back().key.shininess, &results.shininess);
+  }
+  for (const Json& curve : json.at("span_cycles")) results.curves.push_back(CurveFromJson(curve));
+  if (results.cells.empty()) throw std::invalid_argument("no measurement in it");
+  return results;
 }
 
 Json ToJson(const Results& results, const std::vector<report::Claim>& claims) {

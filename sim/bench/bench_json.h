@@ -18,6 +18,9 @@ Cell CellFromJson(const Json& json);
 Json ToJson(const SpanCurve& curve);
 SpanCurve CurveFromJson(const Json& json);
 
+// A whole run from bench.json, but for its synthesis. Throws std::exception for other JSON.
+Results ResultsFromJson(const Json& json);
+
 // bench.json and bench.csv.
 Json ToJson(const Results& results, const std::vector<report::Claim>& claims);
 std::string ToCsv(const Results& results);

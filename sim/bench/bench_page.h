@@ -24,7 +24,7 @@ struct Gallery {
 std::string BenchPage(const Results& results, const std::vector<report::Claim>& claims,
                       const Gallery& gallery);
 
-// The tables of docs/results.md that a run can make.
+// The same tables as Markdown.
 std::string BenchMarkdown(const Results& results, const std::vector<report::Claim>& claims);
 
 }  // namespace shading::sim

@@ -10,7 +10,7 @@
 
 namespace shading::sim {
 
-// Tables of a run, for the report and as Markdown for docs/results.md.
+// Tables of a run, for the report and docs/results.md.
 
 // Methods on the fronts: a row a face, a column each n; in how many scenes.
 report::Table FrontTable(const Results& results, ErrorKind kind);

@@ -121,7 +121,8 @@ TriangleList WithShininess(TriangleList list, int n) {
   return list;
 }
 
-Cell MeasureCell(const TriangleList& list, const CellKey& key, int repeats, FrameBuffer* picture) {
+Cell MeasureCell(const TriangleList& list, const CellKey& key, int repeats, FrameBuffer* picture,
+                 IdealCache* ideals) {
   Cell cell;
   cell.key = key;
   cell.packets = static_cast<int64_t>(list.triangles.size());
@@ -157,8 +158,8 @@ Cell MeasureCell(const TriangleList& list, const CellKey& key, int repeats, Fram
     const double seconds = RunModel(work, key.lanes, nullptr, &cycles);
     cell.model_seconds = k == 0 ? seconds : std::min(cell.model_seconds, seconds);
   }
-  cell.phong = ErrorAgainstPhong(*picture, list);
-  cell.closed_form = ErrorAgainstClosedForm(*picture, list, key.method);
+  cell.phong = ideals->ErrorOf(key, Method::kPhong, *picture, list);
+  cell.closed_form = ideals->ErrorOf(key, key.method, *picture, list);
   return cell;
 }
 

@@ -3,14 +3,17 @@
 
 #include "model/triangle_packet.h"
 #include "sim/bench/bench_cell.h"
+#include "sim/bench/ideal_cache.h"
 #include "sim/frame_buffer.h"
 
 namespace shading::sim {
 
 // Shades the list, all its materials at the key's shininess, by RTL and model; `picture` receives
 // the RTL's. The least processor time of `repeats` runs of the model counts. Throws
-// std::runtime_error when the RTL does not finish or differs from the model.
-Cell MeasureCell(const TriangleList& list, const CellKey& key, int repeats, FrameBuffer* picture);
+// std::runtime_error when the RTL does not finish or differs from the model. `ideals` are those of
+// lists of the same size.
+Cell MeasureCell(const TriangleList& list, const CellKey& key, int repeats, FrameBuffer* picture,
+                 IdealCache* ideals);
 
 // The list with all materials at a shininess of n.
 TriangleList WithShininess(TriangleList list, int n);

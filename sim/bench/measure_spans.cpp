@@ -65,7 +65,8 @@ SpanCurve MeasureSpans(Method method, int lanes, const std::vector<int>& lengths
   const auto rtl = tb::RtlShadingUnit::Create(method, lanes);
   {
     LastPixels last;
-    curve.latency = rtl->Run(Rows(method, 1, 1), always, always, &last, {}).counters.setup;
+    // The cycle in which the span is taken, and those in which nothing is on offer.
+    curve.latency = 1 + rtl->Run(Rows(method, 1, 1), always, always, &last, {}).counters.setup;
   }
   for (const int length : lengths) {
     LastPixels last;

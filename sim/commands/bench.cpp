@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <stdexcept>
+#include <tuple>
 
 #include "sim/bench/bench_json.h"
 #include "sim/bench/bench_page.h"
@@ -31,7 +33,7 @@ struct Plan {
   int repeats = 5;  // of timings in software
   int spans = 64;   // of each length
   std::vector<int> lengths, shininess = {1, 8, 32, 128};
-  std::vector<double> tolerances = {0.5, 1, 2, 4};  // LSB
+  std::vector<double> tolerances = {0.5, 1, 2, 4};  // LSB, the least first
 };
 
 Plan PlanOf(bool quick) {
@@ -45,12 +47,6 @@ Plan PlanOf(bool quick) {
     for (int length = 1; length <= 256; ++length) plan.lengths.push_back(length);
   }
   return plan;
-}
-
-void WriteWhole(const fs::path& path, const std::string& text) {
-  AtomicFile file(path.string());
-  file.stream() << text;
-  file.Commit();
 }
 
 class Bench {
@@ -69,7 +65,7 @@ class Bench {
     ParallelFor(options_.jobs, static_cast<int>(keys_.size() + results_.curves.size()), [&](int i) {
       const auto at = static_cast<size_t>(i);
       if (at < keys_.size()) {
-        RunCell(at, &journal);
+        RunCell(order_[at], &journal);
       } else {
         RunCurve(at - keys_.size(), &journal);
       }
@@ -118,6 +114,7 @@ class Bench {
         for (const int n : plan_.shininess) {
           for (const double tolerance : UsesTolerance(method) ? plan_.tolerances : none) {
             for (const int lanes : {1, kMaxLanes}) {
+              if (options_.quick && lanes > 1 && tolerance > plan_.tolerances[0]) continue;
               keys_.push_back({frames_[f].scene, method, n, tolerance, lanes});
               frame_of_.push_back(f);
             }
@@ -126,6 +123,7 @@ class Bench {
       }
     }
     results_.cells.resize(keys_.size());
+    OrderWork();
     for (const int lanes : {1, kMaxLanes}) {
       for (const Method method : options_.methods) {
         if (method == Method::kAuto) continue;  // its spans are those of the chosen methods
@@ -134,6 +132,19 @@ class Bench {
         results_.curves.back().lanes = lanes;
       }
     }
+  }
+
+  // Neighbours in the order of work differ in n, so that threads that run them at the same time do
+  // not wait for the same closed form.
+  void OrderWork() {
+    order_.resize(keys_.size());
+    std::iota(order_.begin(), order_.end(), size_t{0});
+    const auto place = [this](size_t at) {
+      const CellKey& key = keys_[at];
+      return std::make_tuple(frame_of_[at], key.method, key.lanes, key.tolerance);
+    };
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](size_t a, size_t b) { return place(a) < place(b); });
   }
 
   std::string CellId(size_t at) const {
@@ -166,7 +177,7 @@ class Bench {
     }
     const TriangleList list = WithShininess(frames_[f].list, key.shininess);
     FrameBuffer picture(list.frame.width, list.frame.height);
-    results_.cells[at] = MeasureCell(list, key, plan_.repeats, &picture);
+    results_.cells[at] = MeasureCell(list, key, plan_.repeats, &picture, &ideals_);
     journal->Append(id, ToJson(results_.cells[at]));
   }
 
@@ -193,12 +204,13 @@ class Bench {
                                 list.frame.height, kGalleryShininess);
     gallery.command = options_.command_line;
     gallery.pictures.resize(options_.methods.size());
+    IdealCache ideals;
     ParallelFor(options_.jobs, static_cast<int>(options_.methods.size()), [&](int i) {
       const Method method = options_.methods[static_cast<size_t>(i)];
       const CellKey key = {scene, method, kGalleryShininess,
                            UsesTolerance(method) ? plan_.tolerances[0] : 0, 1};
       FrameBuffer picture(list.frame.width, list.frame.height);
-      const Cell cell = MeasureCell(list, key, 1, &picture);
+      const Cell cell = MeasureCell(list, key, 1, &picture, &ideals);
       gallery.pictures[static_cast<size_t>(i)] = {Label(key), EncodePng(picture.ToImage()),
                                                   EncodePng(ErrorMap(picture, list)), cell.phong};
     });
@@ -226,7 +238,9 @@ class Bench {
   std::vector<std::string> fingerprints_;  // of the frames' packets
   std::vector<CellKey> keys_;
   std::vector<size_t> frame_of_;  // of each key
+  std::vector<size_t> order_;     // in which keys are measured
   Results results_;
+  IdealCache ideals_;
 };
 
 }  // namespace

@@ -124,7 +124,7 @@ int Cycles(const Options& options) {
     }
   }
   if (!options.csv.empty()) WriteCsv(options.csv, runs);
-  if (!options.json.empty()) WriteJson(options.json, stats);
+  if (!options.json.empty()) WriteJson(options.json, options.command_line, stats);
   return good ? 0 : 1;
 }
 

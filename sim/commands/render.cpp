@@ -88,7 +88,7 @@ int Render(const Options& options) {
       progress.Step();
     });
   }
-  if (!options.json.empty()) WriteJson(options.json, runs);
+  if (!options.json.empty()) WriteJson(options.json, options.command_line, runs);
   if (options.quiet) return 0;
   for (size_t i = 0; i < runs.size(); ++i) {
     fmt::print("{}\n  picture: {}\n", Summary(runs[i]), pictures[i]);

@@ -24,12 +24,6 @@ using stress::Check;
 using stress::Finding;
 using stress::Part;
 
-void WriteWhole(const fs::path& path, const std::string& text) {
-  AtomicFile file(path.string());
-  file.stream() << text;
-  file.Commit();
-}
-
 // "codes", or "x 2^-24".
 std::string UnitOf(const Check& check) {
   return check.ulp == std::string("codes") ? "codes" : fmt::format("x {}", check.ulp);

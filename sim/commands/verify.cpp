@@ -63,7 +63,7 @@ class Verifier {
     const auto empty = std::find_if(runs_.begin(), runs_.end(), [](const RunStats& run) {
       return run.comparison->pixels_compared == 0;
     });
-    if (!options_.json.empty()) WriteJson(options_.json, runs_);
+    if (!options_.json.empty()) WriteJson(options_.json, options_.command_line, runs_);
     if (!options_.quiet) {
       for (const RunStats& run : runs_) fmt::print("{}\n", Summary(run));
       if (!good) {

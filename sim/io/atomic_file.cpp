@@ -41,6 +41,12 @@ fs::path Resolve(const std::string& path) {
 
 }  // namespace
 
+void WriteWhole(const fs::path& path, const std::string& text) {
+  AtomicFile file(path.string());
+  file.stream() << text;
+  file.Commit();
+}
+
 void CheckWritable(const std::string& path) {
   std::error_code ignored;
   const bool special = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) &&

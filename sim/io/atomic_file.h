@@ -30,6 +30,9 @@ class AtomicFile {
   std::ofstream stream_;
 };
 
+// The text as an AtomicFile.
+void WriteWhole(const std::filesystem::path& path, const std::string& text);
+
 // Throws what AtomicFile would, before the work that FILE is for. Pipes and devices are not opened.
 void CheckWritable(const std::string& path);
 

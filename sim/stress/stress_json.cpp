@@ -82,7 +82,8 @@ json StressJson(const StressResults& r) {
   for (const Reference& f : r.references)
     references.push_back(
         {{"what", f.what}, {"unit", f.unit}, {"expected", f.expected}, {"here", f.here}});
-  return {{"version", r.version},   {"command", r.command},
+  return {{"shadesim", r.version},  {"version", r.version},
+          {"command", r.command},
           {"machine", r.machine},   {"seed", r.seed},
           {"quick", r.quick},       {"units", UnitsJson(r)},
           {"growth", growth},       {"conditions", ConditionsJson(r)},

@@ -99,10 +99,11 @@ TriangleList SmallScene() {
 
 TEST(Measure, EveryCycleIsOfOneKind) {
   const TriangleList list = SmallScene();
+  IdealCache ideals;
   for (const Method method : {Method::kFlat, Method::kQuad, Method::kSlerp}) {
     for (const int lanes : {1, kMaxLanes}) {
       FrameBuffer picture(48, 36);
-      const Cell cell = MeasureCell(list, {"sphere", method, 32, 0, lanes}, 1, &picture);
+      const Cell cell = MeasureCell(list, {"sphere", method, 32, 0, lanes}, 1, &picture, &ideals);
       SCOPED_TRACE(cell.key.Text());
       EXPECT_EQ(cell.busy + cell.fill + cell.setup + cell.stall, cell.cycles);
       EXPECT_GE(cell.setup, 0);
@@ -118,11 +119,56 @@ TEST(Measure, EveryCycleIsOfOneKind) {
   }
 }
 
+TEST(Measure, LatencyIsThatOfTheContract) {
+  const SpanCurve curve = MeasureSpans(Method::kQuad, 1, {16}, 8);
+  EXPECT_EQ(curve.latency, ShadingUnit::kContract.latency_cycles);
+  EXPECT_EQ(curve.CyclesOf(16), 16);
+}
+
+// Lanes, tolerances and methods of one closed form share it, whatever goes to keep the budget.
+TEST(Measure, SharedClosedFormsAreThoseOfThePicture) {
+  const TriangleList one = WithShininess(SmallScene(), 1), many = WithShininess(SmallScene(), 128);
+  IdealCache roomy, tight(1);
+  for (const Method method : {Method::kFlat, Method::kSlerp, Method::kSlerpPaper, Method::kPhong}) {
+    for (const int lanes : {1, kMaxLanes}) {
+      for (const int n : {1, 128}) {
+        const TriangleList& list = n == 1 ? one : many;
+        for (IdealCache* ideals : {&roomy, &tight}) {
+          FrameBuffer picture(48, 36);
+          const Cell cell = MeasureCell(list, {"s", method, n, 0, lanes}, 1, &picture, ideals);
+          SCOPED_TRACE(cell.key.Text());
+          EXPECT_EQ(cell.phong.rms_lsb, ErrorAgainstPhong(picture, list).rms_lsb);
+          const PictureError direct = ErrorAgainstClosedForm(picture, list, method);
+          EXPECT_EQ(cell.closed_form.rms_lsb, direct.rms_lsb);
+          EXPECT_EQ(cell.closed_form.max_lsb, direct.max_lsb);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(roomy.computed(), 2 * 3) << "flat, slerp and phong at each n";
+  EXPECT_GT(tight.computed(), 2 * 3);
+}
+
+TEST(Measure, APictureOfOtherTrianglesIsNotJudgedByTheWrongOnes) {
+  const TriangleList list = SmallScene();
+  IdealCache ideals;
+  const CellKey key = {"s", Method::kPhong, 1, 0, 1};
+  FrameBuffer picture(48, 36), empty(48, 36);
+  MeasureCell(list, key, 1, &picture, &ideals);
+  Pixel pixel;
+  pixel.x = 20;
+  pixel.y = 20;
+  empty.Put(pixel, 0);
+  EXPECT_EQ(ideals.ErrorOf(key, Method::kPhong, empty, list).max_lsb,
+            ErrorAgainstPhong(empty, list).max_lsb);
+}
+
 TEST(Measure, ShininessIsThatOfTheKey) {
   const TriangleList list = SmallScene();
+  IdealCache ideals;
   FrameBuffer low(48, 36), high(48, 36);
-  MeasureCell(WithShininess(list, 1), {"sphere", Method::kPhong, 1, 0, 1}, 1, &low);
-  MeasureCell(WithShininess(list, 128), {"sphere", Method::kPhong, 128, 0, 1}, 1, &high);
+  MeasureCell(WithShininess(list, 1), {"sphere", Method::kPhong, 1, 0, 1}, 1, &low, &ideals);
+  MeasureCell(WithShininess(list, 128), {"sphere", Method::kPhong, 128, 0, 1}, 1, &high, &ideals);
   int64_t sum = 0;
   for (size_t at = 0; at < low.size(); ++at) sum += low.code(at)[0] - high.code(at)[0];
   EXPECT_GT(sum, 1000) << "a wide highlight is brighter";
