@@ -94,9 +94,11 @@ bool SamePicture(const FrameBuffer& a, const FrameBuffer& b) {
   return true;
 }
 
-// Methods that are good enough for every triangle of the frame, as auto judges; phong is exact.
+}  // namespace
+
 uint32_t SureMethods(const FrameWork& work) {
   const auto bit = [](Method method) { return 1U << static_cast<unsigned>(method); };
+  // phong is exact, too.
   uint32_t sure = ~0U;
   for (const TriangleState& triangle : work.triangles) {
     uint32_t good = bit(Method::kPhongDuff) | bit(Method::kPhong);
@@ -111,8 +113,6 @@ uint32_t SureMethods(const FrameWork& work) {
   }
   return sure;
 }
-
-}  // namespace
 
 TriangleList WithShininess(TriangleList list, int n) {
   for (Material& material : list.frame.materials) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "model/frame_work.h"
 #include "model/triangle_packet.h"
 #include "sim/bench/bench_cell.h"
 #include "sim/bench/ideal_cache.h"
@@ -14,6 +15,9 @@ namespace shading::sim {
 // lists of the same size.
 Cell MeasureCell(const TriangleList& list, const CellKey& key, int repeats, FrameBuffer* picture,
                  IdealCache* ideals);
+
+// Bit m: method m alone is good enough for every triangle of an auto frame, as auto judges.
+uint32_t SureMethods(const FrameWork& work);
 
 // The list with all materials at a shininess of n.
 TriangleList WithShininess(TriangleList list, int n);

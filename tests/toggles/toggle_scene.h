@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "model/frame_work.h"
 #include "model/triangle_packet.h"
 
 namespace shading::test {
@@ -16,8 +15,5 @@ struct ToggleScene {
   TriangleList list;
 };
 ToggleScene SceneOf(int argc, char** argv);
-
-// Whether an auto frame could have taken this one method for every triangle.
-bool IsSure(const FrameWork& work, Method method);
 
 }  // namespace shading::test

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sim/bench/cost_model.h"
+#include "sim/bench/measure.h"
 #include "tests/toggles/toggle_run.h"
 #include "tests/toggles/toggle_scene.h"
 
@@ -86,10 +87,12 @@ void Print(const std::string& scene, const TriangleList& list) {
   PrintUnits(rows, static_cast<double>(work.pixels));
   fmt::print("\n| auto against | toggles | weighted operations | cycles |\n|---|--:|--:|--:|\n");
   PrintGain(rows, Method::kPhong);
-  const Method best = IsSure(work, Method::kQuadCosine) &&
-                              rows[Method::kQuadCosine].toggles < rows[Method::kPhongDuff].toggles
-                          ? Method::kQuadCosine
-                          : Method::kPhongDuff;
+  const uint32_t sure = sim::SureMethods(work);
+  Method best = Method::kPhong;
+  for (const Method method : kMethods) {
+    const bool is_sure = (sure >> static_cast<unsigned>(method) & 1) != 0;
+    if (method != Method::kAuto && is_sure && rows[method].toggles < rows[best].toggles) best = method;
+  }
   PrintGain(rows, best);
   fmt::print("\n{} is the best single method that is sure; waveform of auto {} KB\n", Name(best),
              rows[Method::kAuto].trace_bytes / 1024);
