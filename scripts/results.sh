@@ -56,6 +56,7 @@ bench=() stress=() stress_status=0 meshes=()
 models=/usr/share/assimp/models  # assimp-testmodels
 if [[ -d $models ]]; then
   meshes=("$models/STL/Wuson.stl" "$models/PLY/Wuson.ply" "$models/OBJ/spider.obj")
+  bench=(builtin:mixed builtin:sphere:24 builtin:torus:16 "${meshes[0]}" "${meshes[2]}" --size 320x240)
 fi
 case $level in
   quick)

@@ -91,7 +91,8 @@ void Print(const std::string& scene, const TriangleList& list) {
   Method best = Method::kPhong;
   for (const Method method : kMethods) {
     const bool is_sure = (sure >> static_cast<unsigned>(method) & 1) != 0;
-    if (method != Method::kAuto && is_sure && rows[method].toggles < rows[best].toggles) best = method;
+    if (method == Method::kAuto || !is_sure) continue;
+    if (rows[method].toggles < rows[best].toggles) best = method;
   }
   PrintGain(rows, best);
   fmt::print("\n{} is the best single method that is sure; waveform of auto {} KB\n", Name(best),
