@@ -125,9 +125,7 @@ std::array<MethodChoice::Bound, MethodChoice::kBounds> MethodChoice::BoundsOf(
 
 Choice MethodChoice::Of(const LightRange& range, const ChoiceLimit& limit, Lighting lighting) {
   const Terms t = TermsOf(range, limit, lighting);
-  const Method exact =
-      range.turn.raw() <= kSurfaceTurn ? Method::kPhongSurface : Method::kPhongDuff;
-  Choice choice = {exact, t.dark, t.dark && !t.lit, limit.channels};
+  Choice choice = {ExactOf(range), t.dark, t.dark && !t.lit, limit.channels};
   const auto bounds = BoundsOf(range, limit, lighting);
   for (const Bound& bound : bounds) {
     const bool good = bound.allowed && LogAdd(bound.diffuse, bound.specular) <= 0;

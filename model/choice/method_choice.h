@@ -34,11 +34,18 @@ class MethodChoice {
       1,
       "codes of the tolerance, before rounding; unit normals"};
 
+  // phong-surface: up to 104 degrees |N|^2 is at least 1/6 on the triangle.
+  static constexpr int64_t kSurfaceTurn = int64_t{5} << (Turn::kFraction - 1);
+
   // From the normals of the vertices and what they contribute to lighting.
   static LightRange RangeOf(const std::array<Vector3, 3>& normals,
                             const std::array<LightCosines, 3>& cosines, const LightState& light);
   // Of a material, once a frame.
   static ChoiceLimit LimitOf(const Material& material, Tolerance tolerance);
+  // The one that shades Phong's normal itself: phong-surface or phong-duff.
+  static Method ExactOf(const LightRange& range) {
+    return range.turn.raw() <= kSurfaceTurn ? Method::kPhongSurface : Method::kPhongDuff;
+  }
   static Choice Of(const LightRange& range, const ChoiceLimit& limit, Lighting lighting);
 
   // What Of compares: whether a method can be chosen at all, and the two logarithms in 2^-5.
@@ -48,8 +55,6 @@ class MethodChoice {
     int diffuse, specular;
   };
   static constexpr size_t kBounds = 4;
-  // phong-surface: up to 104 degrees |N|^2 is at least 1/6 on the triangle.
-  static constexpr int64_t kSurfaceTurn = int64_t{5} << (Turn::kFraction - 1);
   static std::array<Bound, kBounds> BoundsOf(const LightRange& range, const ChoiceLimit& limit,
                                              Lighting lighting);
   // log2(2^a + 2^b) in 2^-5, at most 1 / 250 of the sum too low.

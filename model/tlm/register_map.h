@@ -40,7 +40,7 @@ inline constexpr uint32_t kUnit = 1u << 22;  // 1 as S1.22, a component of a vec
 // What software sees. docs/register_map.md is generated from this table.
 inline constexpr std::array kRegisterMap = {
     Register{"ID", 0x000, 1, Access::kRead, 0x44414853, "\"SHAD\", first letter lowest"},
-    Register{"VERSION", 0x004, 1, Access::kRead, 0x00000100, "major << 8 + minor of this map"},
+    Register{"VERSION", 0x004, 1, Access::kRead, 0x00000200, "major << 8 + minor of this map"},
     Register{"CAPABILITIES", 0x008, 1, Access::kRead, MethodBits(), "bit m: METHOD m is built in"},
     Register{"CONTROL", 0x010, 1, Access::kWrite, 0, "commands, see below"},
     Register{"STATUS", 0x014, 1, Access::kRead, 0, "state, room in the FIFO, error; see below"},

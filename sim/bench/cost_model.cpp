@@ -96,6 +96,20 @@ MethodCost Footprint(const Operations& inside, const char* reason) {
   return cost;
 }
 
+// quad-cosine: surfaces of N.L and N.H. phong-surface: their planes, and |N|^2 from the chords
+// between the normals; the RTL steps planes as surfaces.
+MethodCost CosineCost(Method method) {
+  if (method == Method::kPhongSurface) {
+    MethodCost cost = Lit(3 * RowStart({}), Operations{2, 6, 2, 0} + kRoot,
+                          "N.L, N.H and |N|^2 by additions, a reciprocal root; set up by triangle");
+    cost.triangle = 3 * kTwoDots + Operations{9 + 18 + 27, 15 + 18 + 27, 0, 0};
+    return cost;
+  }
+  MethodCost cost = Lit(2 * RowStart({}), {0, 4, 0, 0}, "N.L and N.H by differences, then light");
+  cost.triangle = 3 * kTwoDots + 3 * (kRoot + Operations{5, 4, 0, 0}) + Operations{81, 81, 0, 0};
+  return cost;
+}
+
 MethodCost SurfaceCost(Method method) {
   switch (method) {
     case Method::kFlat: {
@@ -127,18 +141,7 @@ MethodCost SurfaceCost(Method method) {
     }
     default: break;
   }
-  if (method == Method::kPhongSurface) {
-    // Planes of N.L and N.H, and |N|^2 from the chords between the normals.
-    MethodCost cost = Lit(RowStart({}) + 2 * Operations{2, 2, 0, 0},
-                          Operations{2, 4, 2, 0} + kRoot,
-                          "N.L, N.H and |N|^2 by additions, a reciprocal root; set up by triangle");
-    cost.triangle = 3 * kTwoDots + Operations{9 + 18 + 27, 15 + 18 + 27, 0, 0};
-    return cost;
-  }
-  // quad-cosine: surfaces of N.L and N.H.
-  MethodCost cost = Lit(2 * RowStart({}), {0, 4, 0, 0}, "N.L and N.H by differences, then light");
-  cost.triangle = 3 * kTwoDots + 3 * (kRoot + Operations{5, 4, 0, 0}) + Operations{81, 81, 0, 0};
-  return cost;
+  return CosineCost(method);
 }
 
 // method_choice, and the cosines at the vertices that it goes by.

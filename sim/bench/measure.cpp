@@ -102,7 +102,7 @@ uint32_t SureMethods(const FrameWork& work) {
   uint32_t sure = ~0U;
   for (const TriangleState& triangle : work.triangles) {
     uint32_t good = bit(Method::kPhongDuff) | bit(Method::kPhong);
-    if (triangle.range.turn.raw() <= MethodChoice::kSurfaceTurn) good |= bit(Method::kPhongSurface);
+    good |= bit(MethodChoice::ExactOf(triangle.range));
     for (const MethodChoice::Bound& b :
          MethodChoice::BoundsOf(triangle.range, work.limits[static_cast<size_t>(triangle.material)],
                                 work.light.lighting)) {

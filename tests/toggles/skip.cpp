@@ -14,11 +14,6 @@ namespace {
 constexpr RangeCosine kFull = RangeCosine::FromRaw(int64_t{1} << RangeCosine::kFraction);
 constexpr RangeCosine kNothing = RangeCosine::FromRaw(0);
 
-Method Exact(const LightRange& range) {
-  return range.turn.raw() <= MethodChoice::kSurfaceTurn ? Method::kPhongSurface
-                                                        : Method::kPhongDuff;
-}
-
 // The cheapest sure method behind flat.
 Method NextAfterFlat(LightRange range, const ChoiceLimit& limit, Lighting lighting) {
   if (range.turn.raw() == 0) range.turn = Turn::FromRaw(1);  // logarithms need a turn
@@ -26,7 +21,7 @@ Method NextAfterFlat(LightRange range, const ChoiceLimit& limit, Lighting lighti
     const bool sure = bound.allowed && MethodChoice::LogAdd(bound.diffuse, bound.specular) <= 0;
     if (sure && bound.method != Method::kFlat) return bound.method;
   }
-  return Exact(range);
+  return MethodChoice::ExactOf(range);
 }
 
 Choice ChooseWithout(Skip off, LightRange range, const ChoiceLimit& limit, Lighting lighting) {
@@ -49,10 +44,10 @@ Choice ChooseWithout(Skip off, LightRange range, const ChoiceLimit& limit, Light
       if (lit) choice.dark = false;
       break;
     case Skip::kUnnormalised:
-      if (lit) choice.method = Exact(range);
+      if (lit) choice.method = MethodChoice::ExactOf(range);
       break;
     case Skip::kBlack: choice.channels = 7; break;
-    case Skip::kAll: choice = ChoiceOf(Exact(range)); break;
+    case Skip::kAll: choice = ChoiceOf(MethodChoice::ExactOf(range)); break;
   }
   return choice;
 }
