@@ -28,12 +28,18 @@ class SpanSetupDut {
     Method method = Method::kFlat;
     std::vector<TriangleState> triangles;
     std::vector<SpanCommand> spans;
+    std::vector<Choice> choices;  // of each triangle; none: the method for all
+
+    Choice Of(size_t triangle) const {
+      return triangle < choices.size() ? choices[triangle] : ChoiceOf(method);
+    }
   };
   struct Flows {
     FlowPattern triangle, span, seed;
   };
   struct TimedSeed {
     SpanSeed seed;
+    uint16_t choice;  // choice_t
     int64_t offered;  // first cycle with seed_valid_o
     int64_t taken;
   };
@@ -44,6 +50,14 @@ class SpanSetupDut {
     std::vector<bool> inside, busy;  // span_inside_o and busy_o of each cycle
     std::string failure;             // empty when every seed was taken and the unit is empty
   };
+
+  static uint16_t BitsOf(const Choice& choice) {
+    BitPacker<1> bits;
+    PutChoice(choice, bits);
+    uint32_t word[1];
+    bits.Store(word);
+    return static_cast<uint16_t>(word[0]);
+  }
 
   SpanSetupDut()
       : context_(std::make_unique<VerilatedContext>()),
@@ -65,9 +79,6 @@ class SpanSetupDut {
   // allow, or after `limit` cycles.
   Result Run(const Work& work, const Flows& flows, int64_t limit = int64_t{1} << 40) {
     Result result;
-    BitPacker<1> choice;
-    PutChoice(ChoiceOf(work.method), choice);
-    StoreBits(choice, top_->choice_i);
     const int64_t patience = 16 + 2 * (flows.triangle.longest_gap() + flows.span.longest_gap() +
                                        flows.seed.longest_gap()) + kMaxScreen;
     int64_t deadline = patience;
@@ -92,6 +103,7 @@ class SpanSetupDut {
   void Offer(const Work& work, const Flows& flows, int64_t cycle, const Result& result) {
     commands_.Offer(work.triangles, result.triangles.size(), flows.triangle.At(cycle), work.spans,
                     result.spans.size(), flows.span.At(cycle));
+    top_->choice_i = BitsOf(work.Of(result.triangles.size()));
     top_->seed_ready_i = flows.seed.At(cycle);
   }
 
@@ -103,7 +115,7 @@ class SpanSetupDut {
     result->inside.push_back(top_->span_inside_o);
     result->busy.push_back(top_->busy_o);
     CheckHeld(cycle, result);
-    if (take_seed) result->seeds.push_back({ReadOutputs(), offered_, cycle});
+    if (take_seed) result->seeds.push_back({ReadOutputs(), top_->choice_o, offered_, cycle});
     return commands_.take_triangle() || commands_.take_span() || take_seed;
   }
 
@@ -122,7 +134,6 @@ class SpanSetupDut {
   SpanSeed ReadOutputs() const {
     SpanSeed seed = ReadSeed(top_->seed_o);
     seed.material = top_->material_o;
-    if (top_->choice_o != top_->choice_i) seed.length = -1;  // one choice serves the whole run
     BitReader<decltype(top_->split_o)> split(top_->split_o);
     for (SplitSeed& channel : seed.split) {
       channel.ambient = split.template TakeSigned<IntensityAcc>();

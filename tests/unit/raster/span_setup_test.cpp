@@ -209,6 +209,23 @@ TEST(SpanSetup, NextFrameSwitchesMethodWithoutReset) {
   }
 }
 
+// Auto: a method for each triangle, some without a highlight, all of them in the pipeline at once.
+TEST(SpanSetup, EachTriangleHasItsMethod) {
+  std::mt19937 random(5);
+  for (const Flow seed : kFlows) {
+    SCOPED_TRACE("seeds " + NameOf(seed));
+    Dut::Work work = RandomWork(Method::kQuad, kTriangles, random);
+    for (size_t t = 0; t < work.triangles.size(); ++t) {
+      Choice choice = ChoiceOf(kSurfaceMethods[random() % kSurfaceMethods.size()]);
+      choice.dark = random() % 3 == 0;
+      choice.channels = static_cast<uint8_t>(random() % 8);
+      work.choices.push_back(choice);
+    }
+    Dut rtl;
+    ExpectRun(&rtl, work, {FlowPattern::Always(), FlowPattern::Always(), PatternOf(seed, 4)});
+  }
+}
+
 TEST(SpanSetup, ResetDropsEverything) {
   std::mt19937 random(1);
   Dut rtl;
@@ -221,6 +238,12 @@ TEST(SpanSetupDeathTest, SpanOfNoPixelsStopsTheSimulation) {
   std::mt19937 random(1);
   Dut::Work work = RandomWork(Method::kFlat, 1, random);
   work.spans[0].length = 0;
+  EXPECT_EXIT(Dut().Run(work, AlwaysFlows()), testing::KilledBySignal(SIGABRT), "");
+}
+
+TEST(SpanSetupDeathTest, SpanAboveTheOneBeforeStopsTheSimulation) {
+  Dut::Work work = RowByRow(Method::kQuad, 2);
+  work.spans[1].y = work.spans[0].y - 1;
   EXPECT_EXIT(Dut().Run(work, AlwaysFlows()), testing::KilledBySignal(SIGABRT), "");
 }
 

@@ -64,7 +64,7 @@ inline void ExpectCycles(const tb::SpanSetupDut::Work& work, const tb::SpanSetup
     ASSERT_EQ(result.triangles[triangle], triangle_taken) << "triangle " << triangle;
     accepted = std::max({flows.span.Next(accepted + 1), triangle_taken, last_step});
     ASSERT_EQ(result.spans[i], accepted) << "span " << i;
-    const int steps = SpanSetup::Steps(work.method, work.spans[i].y - row);
+    const int steps = SpanSetup::Steps(work.Of(triangle).method, work.spans[i].y - row);
     row = work.spans[i].y;
     last_step = blocked.After(accepted, steps);
     const int64_t finish = blocked.After(last_step, 1);
