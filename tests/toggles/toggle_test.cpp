@@ -80,6 +80,47 @@ TEST(Toggles, OnlyTheChosenSurfaceMoves) {
   }
 }
 
+// Registers and operands of span_setup, by parts of their path.
+void ExpectPathsHold(const std::vector<tb::SignalToggles>& signals,
+                     const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    int64_t count = 0;
+    for (const tb::SignalToggles& signal : signals) {
+      if (signal.path.find(part) == std::string::npos) continue;
+      ++count;
+      EXPECT_LE(signal.toggles, kSettling) << signal.path;
+    }
+    EXPECT_GT(count, 3) << part << ": names have changed";
+  }
+}
+
+TEST(Toggles, SetUpOfOtherSurfacesHolds) {
+  const TriangleList list = tb::RandomTriangles(8, 60);
+  const std::vector<std::string> others = {"u_curve_rows.", "u_specular_row_start.",
+                                           "u_point_rows."};
+  for (const Method method : {Method::kFlat, Method::kGouraud, Method::kQuad}) {
+    SCOPED_TRACE(Name(method));
+    ExpectPathsHold(Trace(WorkOf(list, method)).signals, others);
+  }
+  const std::vector<std::string> channels = {"u_span_setup.gen_channel[0].gen_rows.u_row_start.",
+                                             "u_specular_row_start.", "u_point_rows."};
+  for (const Method method : {Method::kQuadCosine, Method::kPhongSurface}) {
+    SCOPED_TRACE(Name(method));
+    const auto signals = Trace(WorkOf(list, method)).signals;
+    ExpectPathsHold(signals, channels);
+    if (method == Method::kQuadCosine) ExpectPathsHold(signals, {"u_curve_rows.gen_curve[2]."});
+  }
+}
+
+TEST(Toggles, NormalsHoldWherePhongIsSetUpByTriangle) {
+  const tb::Toggles toggles = TogglesOf(tb::RandomTriangles(8, 60), Method::kPhongSurface);
+  EXPECT_GT(toggles.at("duff_normalizer").toggles, kSettling);
+  for (const char* unit :
+       {"normal_setup", "linear_recurrence", "slerp_recurrence", "phong_direct"}) {
+    EXPECT_LE(toggles.at(unit).toggles, kSettling) << unit;
+  }
+}
+
 void ExpectHold(const tb::Toggles& toggles, const std::set<std::string>& units) {
   for (const std::string& unit : units) {
     ASSERT_EQ(toggles.count(unit), 1U) << unit << ": no such instance";
@@ -154,7 +195,8 @@ TEST(Toggles, HighlightHoldsInAutoFramesWithoutOne) {
   const TriangleList list = tb::RandomTriangles(7, 60);
   for (const double specular : {0., 1. / 4096}) {
     const FrameWork work = WorkOf(WithSpecular(list, specular), Method::kAuto);
-    for (const Method method : {Method::kQuadCosine, Method::kPhongDuff}) {
+    for (const Method method :
+         {Method::kQuadCosine, Method::kPhongSurface, Method::kPhongDuff}) {
       EXPECT_GT(work.share[static_cast<size_t>(method)].pixels, 0) << Name(method);
     }
     ExpectNoHighlight(work, true);
@@ -170,56 +212,11 @@ TEST(Toggles, HighlightHoldsForEveryMethodThatIsToldSo) {
       const auto choose = [&](const LightRange&, const ChoiceLimit&) {
         return Choice{method, dark, false, 7};
       };
-      ExpectNoHighlight(WorkWith(list, kOneCode, choose), dark);
+      const FrameWork work = WorkWith(list, kOneCode, choose);
+      ExpectNoHighlight(work, dark);
+      if (dark) ExpectPathsHold(Trace(work).signals, {"u_curve_rows.gen_curve[1]."});
     }
   }
-}
-
-// A list in which auto leaves out everything that it can.
-TriangleList Skippable() {
-  TriangleList list = tb::RandomTriangles(7, 60);
-  for (size_t t = 0; t < 20; ++t) {
-    TrianglePacket& packet = list.triangles[t];
-    packet.n[1] = packet.n[2] = packet.n[0];
-  }
-  for (Material& material : list.frame.materials) {
-    material.ambient[2] = material.diffuse[2] = material.specular[2] = Reflectance::FromRaw(0);
-  }
-  return list;
-}
-
-TEST(Skips, OffMeansOff) {
-  const TriangleList list = Skippable();
-  const auto counters = [&](Skip off) { return Trace(WorkWithout(list, kOneCode, off)).counters; };
-  const Counters none = counters(Skip::kNone);
-  EXPECT_GT(none.ambient, 0);
-  EXPECT_GT(none.dark, 0);
-  EXPECT_GT(none.unnormalised, 0);
-  EXPECT_GT(none.black, 0);
-  EXPECT_EQ(counters(Skip::kAmbient).ambient, 0);
-  EXPECT_LT(counters(Skip::kConstant).constant, none.constant);
-  EXPECT_EQ(counters(Skip::kDark).dark, 0);
-  EXPECT_EQ(counters(Skip::kUnnormalised).unnormalised, 0);
-  EXPECT_EQ(counters(Skip::kBlack).black, 0);
-  EXPECT_GT(counters(Skip::kBackFaces).pixels, none.pixels);
-  const Counters all = counters(Skip::kAll);
-  EXPECT_EQ(all.ambient + all.constant + all.dark + all.unnormalised + all.black, 0);
-}
-
-TEST(Skips, NoneIsAuto) {
-  const TriangleList list = Skippable();
-  const FrameWork by_auto = WorkOf(list, Method::kAuto);
-  const FrameWork same = WorkWithout(list, kOneCode, Skip::kNone);
-  for (const Method method : kAllMethods) {
-    const auto m = static_cast<size_t>(method);
-    EXPECT_EQ(by_auto.share[m].spans, same.share[m].spans) << Name(method);
-  }
-  const TracedFrame a = Trace(by_auto), b = Trace(same);
-  EXPECT_EQ(a.cycles, b.cycles);
-  EXPECT_EQ(a.counters.ambient, b.counters.ambient);
-  EXPECT_EQ(a.counters.dark, b.counters.dark);
-  EXPECT_EQ(a.counters.black, b.counters.black);
-  EXPECT_EQ(a.counters.unlit, b.counters.unlit);
 }
 
 TEST(Toggles, LightMovesWhereItIsWanted) {
