@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Synthesises the RTL and prints its cost; an hour at most, minutes for the units. An extra: it needs npm and
+# Synthesises the RTL and prints its cost; an hour or two, minutes for the units. An extra: it needs npm and
 # its registry, for the current Yosys, and is not part of the tests.
 #
 #   scripts/synth.sh [--json FILE] [--only NAME,NAME...]

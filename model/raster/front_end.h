@@ -19,7 +19,7 @@ struct FrontEndOptions {
   Tolerance tolerance = Tolerance::FromRaw(int64_t{1} << (Tolerance::kFraction - 1));  // 1/2 code
   Subdivide subdivide = Subdivide::kNever;
   // Auto: chooses in place of MethodChoice::Of. The shading unit goes by range and limit of the
-  // triangle, so the caller changes these to suit.
+  // triangle: the caller of Run changes these in its FrameWork until they give the same choice.
   std::function<Choice(const LightRange&, const ChoiceLimit&)> choose;
 };
 

@@ -57,7 +57,8 @@ class SurfaceFit {
   static IntensityAcc FootprintMean(const TriangleGeometry& geometry, const SurfaceNodes& nodes);
   static CosineSurface OfCosine(const std::array<Plane, 3>& barycentric,
                                 const Nodes<Cosine>& nodes);
-  // N.L of the linear normal, and its |N|^2: exact, but for rounding.
+  // N.L of the linear normal N, and its |N|^2: exact, but for coefficients within 2^-45 and the
+  // barycentrics, which move N by 2 l (x + y + 1) 2^-34, l the longest |Ni - Nj|.
   static CosineSurface PlaneOfCosine(const std::array<Plane, 3>& barycentric,
                                      const std::array<Cosine, 3>& corner);
   static CosineSurface OfSquare(const std::array<Plane, 3>& barycentric,

@@ -17,7 +17,7 @@ Value Mean(Value a, Value b) {
   return Value::FromRaw((a.raw() + b.raw() + 1) >> 1);
 }
 
-// |sum of the normals / 2^halvings|^2, rounded to nearest.
+// |sum of the normals / 2^halvings|^2, rounded to nearest, saturated below 2.
 template <size_t kCount>
 LengthSquare SquareOf(const std::array<Vector3, kCount>& normals, int halvings) {
   int64_t square = 0;

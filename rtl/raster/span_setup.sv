@@ -18,7 +18,7 @@
 // Formats   intensities S9.26, cosines S1.44, coordinates S12.0 from the triangle's origin;
 //           products keep the low bits. Exact whenever the result fits.
 // Error     None against the integer polynomial. RTL = model on every seed.
-// Bad input Spans of a triangle come from above downwards: one above the one before never ends.
+// Bad input A span above the one before it, and one of 0 pixels, stop the simulation.
 // Model     model/raster/span_setup.h      Doc  docs/units/raster/span_setup.md
 module span_setup
   import light_pkg::*;

@@ -54,10 +54,10 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
 const Json& RunFolder::Read(const std::string& file) {
   const auto at = files_.find(file);
   if (at != files_.end()) return at->second;
-  const Json& json = files_[file] = Parse(folder_ / file);
+  Json json = Parse(folder_ / file);
   if (!json.is_object()) Refuse(file, "no object");
   CheckOrigin(file, json);
-  return json;
+  return files_[file] = std::move(json);
 }
 
 // Programs say who they are by "machine" and "shadesim"; others do not.

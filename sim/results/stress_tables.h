@@ -17,7 +17,7 @@ report::Table TroubleTable(const Json& stress);
 report::Table WordTable(const Json& stress);
 // Units that are not searched, and why, in a sentence each reason.
 std::string NotSearched(const Json& stress);
-// "No bound of 40 and no condition of 30 is broken.", or how many are.
+// How many bounds and conditions are broken, and that a bit less breaks every bound.
 std::string BrokenWords(const Json& stress, const Json& narrow);
 
 }  // namespace shading::sim

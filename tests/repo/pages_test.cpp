@@ -11,8 +11,10 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "model/contracts.h"
+#include "model/shading_method.h"
 
 namespace shading {
 namespace {
@@ -105,6 +107,10 @@ TEST(Pages, ResultsAreGenerated) {
     ++lines;
   }
   EXPECT_GT(lines, 20);
+  for (const std::string_view method : kMethodNames) {
+    EXPECT_NE(page.find("| " + std::string(method) + " |"), std::string::npos)
+        << "run scripts/results.sh: no row of " << method;
+  }
 }
 
 // A line such as TABLE, left for a program to fill.
