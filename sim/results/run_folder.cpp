@@ -7,6 +7,7 @@
 #include <fstream>
 #include <regex>
 #include <stdexcept>
+#include <utility>
 
 namespace shading::sim {
 namespace {
