@@ -43,7 +43,7 @@ void AddSceneOptions(CLI::App* command, Options* o, Words* w) {
   command
       ->add_option(
           "--tolerance", w->tolerance,
-          "codes that quad-segment, adaptive, footprint and --subdivide may spend, 0..15.99")
+          "codes that auto, quad-segment, adaptive, footprint and --subdivide may spend, 0..15.99")
       ->check(CLI::Range(0.0, 15.99))
       ->capture_default_str();
   command
@@ -117,7 +117,8 @@ void AddBench(CLI::App* app, Options* o, Words* w) {
   AddViewOptions(bench, o, w);
   bench->add_option("--out", o->out, "folder for report.html, bench.json, bench.csv")->required();
   bench
-      ->add_option("--methods", w->methods, "methods of shadesim list, with commas between, or all")
+      ->add_option("--methods,--method", w->methods,
+                   "methods of shadesim list, with commas between, or all")
       ->capture_default_str();
   bench->add_flag("--quick", o->quick, "small pictures, about a minute on two cores");
   bench->add_flag("--fresh", o->fresh, "forget what an earlier run left in the folder");

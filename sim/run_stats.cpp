@@ -181,4 +181,13 @@ std::string Summary(const RunStats& run) {
   return text;
 }
 
+bool ReportEmpty(const std::vector<RunStats>& runs) {
+  const auto empty = std::find_if(runs.begin(), runs.end(),
+                                  [](const RunStats& run) { return run.counters.pixels == 0; });
+  if (empty == runs.end()) return false;
+  fmt::print(stderr, "shadesim: {} {}: covers no pixel; turn or enlarge it\n", empty->scene,
+             empty->method);
+  return true;
+}
+
 }  // namespace shading::sim

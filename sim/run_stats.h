@@ -57,6 +57,9 @@ struct RunStats {
 void WriteJson(const std::string& path, const std::string& command,
                const std::vector<RunStats>& runs);
 
+// Says on stderr which run covers no pixel, if any does.
+bool ReportEmpty(const std::vector<RunStats>& runs);
+
 // A few lines of text for a person.
 std::string Summary(const RunStats& run);
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 
 #include "sim/commands/commands.h"
@@ -32,7 +33,9 @@ int main(int argc, char** argv) {
     const auto options = shading::sim::ParseOptions(argc, argv);
     if (!options) return 0;
     shading::sim::CheckOutputs(*options);
-    return Run(*options);
+    const int status = Run(*options);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    fmt::print(stderr, "shadesim: the output could not be written; make room for it\n");
   } catch (const CLI::Error& error) {
     fmt::print(stderr, "shadesim: {}; see {}\n", error.what(), shading::sim::HelpOf(argc, argv));
   } catch (const std::exception& error) {

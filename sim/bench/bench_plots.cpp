@@ -16,13 +16,14 @@ namespace {
 using report::Significant;
 
 constexpr std::array<const char*, 6> kKinds = {"flat, gouraud",        "second-order intensity",
-                                               "surfaces of cosines", "linear normals",
+                                               "second-order cosines", "linear normals",
                                                "spherical normals",    "adaptive normals"};
 
 // Which of kKinds; the colour of the page's style likewise.
 int KindOf(Method method) {
   if (IsQuadRow(method) || method == Method::kQuadSplit) return 1;
-  if (InterpolatesCosines(method)) return 2;
+  if (method == Method::kPhongSurface) return 3;
+  if (method == Method::kQuadCosine) return 2;
   if (!InterpolatesNormals(method)) return 0;
   if (IsAdaptive(method)) return 5;
   return IsSpherical(method) ? 4 : 3;

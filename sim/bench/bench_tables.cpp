@@ -117,6 +117,12 @@ Table OperationTable(const Results& results) {
                "cycles a pixel", "cycles a span", "cycles a triangle", "counted from"});
   for (const Method method : results.methods) {
     const MethodCost cost = CostOf(method);
+    if (method == Method::kAuto) {
+      table.Add({std::string(Name(method)), Parts(cost.triangle) + ", and its methods'",
+                 "its methods'", "its methods'", "its methods'", "its methods'", "its methods'",
+                 PaperCycles(cost.triangle), cost.reason});
+      continue;
+    }
     table.Add({std::string(Name(method)), Parts(cost.triangle), Parts(cost.span), Parts(cost.pixel),
                Parts(cost.highlight), PaperCycles(cost.pixel), PaperCycles(cost.span),
                PaperCycles(cost.triangle), cost.reason});

@@ -125,7 +125,7 @@ int Cycles(const Options& options) {
   }
   if (!options.csv.empty()) WriteCsv(options.csv, runs);
   if (!options.json.empty()) WriteJson(options.json, options.command_line, stats);
-  return good ? 0 : 1;
+  return good && !ReportEmpty(stats) ? 0 : 1;
 }
 
 }  // namespace shading::sim

@@ -89,12 +89,13 @@ int Render(const Options& options) {
     });
   }
   if (!options.json.empty()) WriteJson(options.json, options.command_line, runs);
-  if (options.quiet) return 0;
+  const int status = ReportEmpty(runs) ? 1 : 0;
+  if (options.quiet) return status;
   for (size_t i = 0; i < runs.size(); ++i) {
     fmt::print("{}\n  picture: {}\n", Summary(runs[i]), pictures[i]);
   }
   PrintFiles(options);
-  return 0;
+  return status;
 }
 
 }  // namespace shading::sim

@@ -21,7 +21,8 @@ size_t PlaceOf(const std::vector<Value>& values, Value value) {
 
 std::string Short(double codes) {
   if (codes == 0) return "-";
-  return codes >= 0.1 && codes < 1000 ? fmt::format("{:.2g}", codes) : fmt::format("{:.0e}", codes);
+  if (codes >= 100 && codes < 1000) return fmt::format("{:.0f}", codes);
+  return codes >= 0.1 && codes < 100 ? fmt::format("{:.2g}", codes) : fmt::format("{:.0e}", codes);
 }
 
 }  // namespace
