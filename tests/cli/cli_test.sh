@@ -83,6 +83,25 @@ echo '{"format":"shadesim-triangles","version":7}' >old.jsonl
 refuse 'old.jsonl:1' verify old.jsonl
 check 'nothing half written' test "$(find . -name '*.png' -o -name '*.tmp' | wc -l)" -eq 0
 
+# A scene without a pixel is no success, nor is output that is lost.
+printf 'v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n' >point.obj
+for command in 'render -o point.png' 'render -o point.png --engine ideal' cycles verify; do
+  # shellcheck disable=SC2086
+  "$shadesim" $command point.obj >/dev/null 2>stderr
+  check "'$command' of no pixel exits with 1" test $? -eq 1
+  check "'$command' says so in a line" grep -q 'covers no pixel' stderr
+done
+rm -f point.png
+"$shadesim" cycles builtin:triangle --size 40x30 >/dev/full 2>stderr
+check 'lost output exits with 2' test $? -eq 2
+check 'lost output is named' grep -q 'could not be written' stderr
+
+# What README.md shows of the demo.
+"$shadesim" render builtin:mixed --method quad --size 960x720 -o demo.png >stdout
+check 'README.md has the line of the demo' \
+  grep -qF -- "$(head -n 1 stdout)" "$(dirname -- "${BASH_SOURCE[0]}")/../../README.md"
+rm -f demo.png
+
 # The main job, on every engine; RTL and model write the same picture.
 for engine in rtl model ideal; do
   accept render builtin:torus:8 --engine $engine --size 80x60 -o $engine.png --json $engine.json
