@@ -56,7 +56,8 @@ bench=() stress=() stress_status=0 meshes=()
 models=/usr/share/assimp/models  # assimp-testmodels
 if [[ -d $models ]]; then
   meshes=("$models/STL/Wuson.stl" "$models/PLY/Wuson.ply" "$models/OBJ/spider.obj")
-  bench=(builtin:mixed builtin:sphere:24 builtin:torus:16 "${meshes[0]}" "${meshes[2]}" --size 320x240)
+  bench=(builtin:mixed builtin:sphere:24 builtin:torus:16 "${meshes[0]}" "${meshes[2]}")
+  bench+=(--size 320x240)
 fi
 case $level in
   quick)
@@ -67,7 +68,8 @@ case $level in
     methods=flat,phong,slerp-paper,footprint
     scenes=(builtin:sphere:3 --size 40x30) demo=("${scenes[@]}") meshes=()
     random=20 seconds=0.001 filter='/flat$'
-    bench=("${scenes[@]}" --quick --methods "$methods") stress=(--quick --narrow reciprocal_sqrt) stress_status=1 ;;
+    bench=("${scenes[@]}" --quick --methods "$methods")
+    stress=(--quick --narrow reciprocal_sqrt) stress_status=1 ;;
 esac
 
 if [[ -z $list ]]; then
@@ -100,7 +102,7 @@ step() {
   else
     printf 'runs   %s\n' "$command"
     rm -f -- "$stamp"
-    # Progress goes to the terminal; the benchmark has none and says on stderr what the page has, too.
+    # Progress goes to the terminal; the benchmark has none, and its stderr is on the page, too.
     if [[ $program == shading_unit_bench ]]; then
       "$bin/$program" "$@" >"$out/log" 2>&1 || status=$?
     else
@@ -137,7 +139,8 @@ done
 step errors.json 0 shadesim render "${demo[@]}" --method "$methods" -o "$out/demo.png" \
   --json "$out/errors.json" --jobs "$jobs"
 step bench/bench.json 0 shadesim bench "${bench[@]}" --out "$out/bench" --jobs "$jobs"
-step stress/stress.json $stress_status shadesim stress "${stress[@]}" --out "$out/stress" --jobs "$jobs"
+step stress/stress.json $stress_status shadesim stress "${stress[@]}" --out "$out/stress" \
+  --jobs "$jobs"
 # Every bound must break with a bit less: status 1.
 narrow=(--quick --narrow all)
 [[ $level != smoke ]] || narrow=("${stress[@]}")
@@ -158,7 +161,7 @@ rtl_hash() {
 
 synthesis=build/synth.json note=''
 if [[ ! -s $synthesis ]]; then
-  synthesis='' note='Not synthesised for this page: no build/synth.json; scripts/synth.sh --json writes it.'
+  synthesis='' note='Not synthesised for this page: scripts/synth.sh --json build/synth.json does it.'
 elif [[ $(grep -o '"rtl": "[0-9a-f]*"' "$synthesis" | cut -d'"' -f4) != "$(rtl_hash)" ]]; then
   synthesis='' note='Not synthesised for this page: build/synth.json is of another RTL.'
 fi

@@ -60,7 +60,6 @@ std::string VerifyOf(RunFolder* folder) {
 void AddFrames(RunFolder* folder, Sections* sections) {
   (*sections)["work"] = folder->With(
       "cycles-1.json", [](const Json& cycles) { return WorkTable(cycles).Markdown(); });
-  folder->With("cycles-1.json", [](const Json& one) { return FrameCycleTable(one, one); });
   (*sections)["cycles"] = folder->With("cycles-4.json", [&](const Json& four) {
     const Json& one = folder->Read("cycles-1.json");
     const Json& run = one.at("runs").at(0);
