@@ -187,7 +187,7 @@ class Search {
     return shader.At(static_cast<size_t>(k % kMaxLanes), light);
   }
 
-  // The surfaces' part of docs/units/raster/surface_fit.md: coefficients of |N|^2 and of the planes,
+  // The surfaces' part of surface_fit.md: coefficients of |N|^2 and of the planes,
   // barycentrics, and the roundings of the cosines to 2^-31 at the corners and at the pixel.
   double Bound(double x, double y, double square) const {
     x = std::abs(x);
