@@ -65,6 +65,10 @@ constexpr bool InterpolatesNormals(Method method) {
 constexpr bool InterpolatesCosines(Method method) {
   return method == Method::kQuadCosine || method == Method::kPhongSurface;
 }
+// N.L, N.H or N.V; phong-surface: |N|^2.
+constexpr size_t CurvesOf(Method method) {
+  return method == Method::kPhongSurface ? 3 : method == Method::kQuadCosine ? 2 : 0;
+}
 // Methods that light every pixel, kAuto where it has to; the others interpolate intensities.
 constexpr bool LightsPixels(Method method) { return method >= Method::kQuadCosine; }
 constexpr bool IsSpherical(Method method) {

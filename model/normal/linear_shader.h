@@ -2,8 +2,7 @@
 #pragma once
 
 #include "model/light/dot_product.h"
-#include "model/normal/duff_normalizer.h"
-#include "model/normal/length_recurrence.h"
+#include "model/normal/duff_cosines.h"
 #include "model/normal/linear_recurrence.h"
 #include "model/normal/normal_types.h"
 #include "model/normal/pixel_normal.h"
@@ -42,32 +41,15 @@ class LinearShader {
 
 // phong-duff: linear cosines over the root of a quadratic.
 template <int kLanes>
-class DuffShader {
+class DuffShader : public DuffCosines<LinearRecurrence, kLanes> {
  public:
-  static constexpr int kLatency = DuffNormalizer::kContract.latency_cycles;
-
   explicit DuffShader(const NormalSeed& seed) {
     for (size_t j = 0; j < kLanes; ++j) {
-      n_dot_l_[j] = LinearRecurrence(seed.quantity[0][j]);
-      n_dot_h_or_v_[j] = LinearRecurrence(seed.quantity[1][j]);
-      length_[j] = LengthRecurrence(seed.length_square[j]);
+      this->n_dot_l_[j] = LinearRecurrence(seed.quantity[0][j]);
+      this->n_dot_h_or_v_[j] = LinearRecurrence(seed.quantity[1][j]);
+      this->length_[j] = LengthRecurrence(seed.length_square[j]);
     }
   }
-  LightCosines At(size_t lane, const LightState& /*light*/) const {
-    return DuffNormalizer::Of(n_dot_l_[lane].value(), n_dot_h_or_v_[lane].value(),
-                              length_[lane].value());
-  }
-  void Step() {
-    for (size_t j = 0; j < kLanes; ++j) {
-      n_dot_l_[j].Step();
-      n_dot_h_or_v_[j].Step();
-      length_[j].Step();
-    }
-  }
-
- private:
-  std::array<LinearRecurrence, kLanes> n_dot_l_, n_dot_h_or_v_;
-  std::array<LengthRecurrence, kLanes> length_;
 };
 
 }  // namespace shading

@@ -62,7 +62,7 @@ void SpanSetup::Seed(Method method, const TriangleState& triangle, const SpanCom
   const Position at = {static_cast<uint64_t>(span.x - triangle.origin_x),
                        static_cast<uint64_t>(span.y - triangle.origin_y)};
   if (InterpolatesCosines(method)) {
-    for (size_t i = 0; i < kCurves; ++i) seed->curve[i] = QuadSeed(triangle.curve[i], at);
+    for (size_t i = 0; i < CurvesOf(method); ++i) seed->curve[i] = QuadSeed(triangle.curve[i], at);
     return;
   }
   for (size_t ch = 0; ch < kChannels; ++ch) SeedChannel(method, triangle, ch, at, seed);

@@ -9,7 +9,7 @@
 // Timing    |N|^2 marches with the walker; from valid_i 9 cycles to valid_o. Never stops.
 // Formats   quantities S1.38, |N|^2 S1.44, cosines S1.30.
 // Error     That of the units.
-// Model     model/normal/linear_shader.h, phong_surface_shader.h   Doc  docs/units/shading_unit.md
+// Model     model/normal/duff_cosines.h      Doc  docs/units/shading_unit.md
 module duff_cosines
   import light_pkg::*;
   import method_pkg::*;

@@ -3,7 +3,6 @@
 // Prints what each skip of auto saves: skip_table [SCENE [SIZE]].
 #include <fmt/format.h>
 
-#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -55,12 +54,5 @@ void Print(const std::string& scene, const TriangleList& list) {
 }  // namespace shading::test
 
 int main(int argc, char** argv) {
-  try {
-    const auto scene = shading::test::SceneOf(argc, argv);
-    shading::test::Print(scene.name, scene.list);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "skip_table: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return shading::test::PrintScene("skip_table", argc, argv, shading::test::Print);
 }

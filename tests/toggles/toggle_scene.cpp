@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/toggles/toggle_scene.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
+#include <exception>
 
 #include "sim/scene/builtin.h"
 #include "sim/scene/camera.h"
@@ -16,6 +19,18 @@ ToggleScene SceneOf(int argc, char** argv) {
   const sim::Scene scene =
       name.rfind("builtin:", 0) == 0 ? sim::MakeBuiltin(name) : sim::ImportMesh(name);
   return {name, sim::Project(scene, view)};
+}
+
+int PrintScene(const char* tool, int argc, char** argv,
+               void (*print)(const std::string& scene, const TriangleList& list)) {
+  try {
+    const ToggleScene scene = SceneOf(argc, argv);
+    print(scene.name, scene.list);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", tool, error.what());
+    return 1;
+  }
+  return 0;
 }
 
 }  // namespace shading::test

@@ -16,4 +16,8 @@ struct ToggleScene {
 };
 ToggleScene SceneOf(int argc, char** argv);
 
+// main() of a tool that prints something of the scene: 1 and a line on stderr when it throws.
+int PrintScene(const char* tool, int argc, char** argv,
+               void (*print)(const std::string& scene, const TriangleList& list));
+
 }  // namespace shading::test

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <exception>
 #include <map>
 #include <string>
 
@@ -103,12 +102,5 @@ void Print(const std::string& scene, const TriangleList& list) {
 }  // namespace shading::test
 
 int main(int argc, char** argv) {
-  try {
-    const auto scene = shading::test::SceneOf(argc, argv);
-    shading::test::Print(scene.name, scene.list);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "toggle_table: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return shading::test::PrintScene("toggle_table", argc, argv, shading::test::Print);
 }

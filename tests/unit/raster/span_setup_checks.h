@@ -42,8 +42,7 @@ inline void ExpectChannel(Method method, const SpanSeed& rtl, const SpanSeed& mo
 
 inline void ExpectCosines(const Choice& choice, const SpanSeed& rtl, const SpanSeed& model) {
   ASSERT_EQ(rtl.material, model.material);
-  const size_t used = choice.method == Method::kQuadCosine ? 2 : 3;
-  for (size_t i = 0; i < used; ++i) {
+  for (size_t i = 0; i < CurvesOf(choice.method); ++i) {
     if (i != 1 || !choice.dark) ExpectSeed(rtl.curve[i], model.curve[i]);
   }
 }
